@@ -1,0 +1,5 @@
+//! Reads Nearfield signed distance fields.
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod layout;

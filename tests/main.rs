@@ -1,0 +1,1 @@
+//! The promises of Nearfield, one module a promise.
