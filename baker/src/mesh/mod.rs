@@ -1,14 +1,22 @@
 //! A soup to a [`CheckedMesh`]: welded, without degenerate triangles, its topology known.
 
+pub(crate) mod adjacency;
+mod topology;
+mod weld;
+
+pub use topology::Topology;
+
 use crate::geometry::Aabb;
+use crate::import::TriangleSoup;
 use glam::DVec3;
+use thiserror::Error;
 
 /// A welded mesh without degenerate triangles.
 #[derive(Clone, Debug)]
 pub struct CheckedMesh {
-    /// Distinct vertex positions, mesh units, mesh frame.
+    /// Distinct vertex positions, mesh units, mesh frame; each is used by a triangle.
     pub positions: Vec<DVec3>,
-    /// Three distinct vertices a triangle; every triangle has an area.
+    /// Three distinct vertices a triangle; every triangle has an area. In the order of the file.
     pub triangles: Vec<[u32; 3]>,
     /// Smallest box around the triangles.
     pub bounds: Aabb,
@@ -16,28 +24,81 @@ pub struct CheckedMesh {
     pub topology: Topology,
 }
 
-/// What a mesh turned out to be.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Topology {
-    /// Vertices that shared a position with an earlier one.
-    pub welded_vertices: usize,
-    /// Triangles dropped for having no area.
-    pub degenerate_triangles: usize,
-    /// Edges with one triangle.
-    pub boundary_edges: usize,
-    /// Edges with more than two triangles.
-    pub non_manifold_edges: usize,
-    /// Edges that two triangles traverse in the same direction.
-    pub inconsistent_edges: usize,
-    /// Vertices whose triangles form more than one fan.
-    pub non_manifold_vertices: usize,
-    /// Pieces connected by shared vertices.
-    pub components: usize,
+/// Why a soup is no mesh.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum MeshError {
+    /// No triangle has an area.
+    #[error("none of its {triangles} triangles has an area; check the scale and the export")]
+    NoArea {
+        /// Triangles of the soup.
+        triangles: usize,
+    },
 }
 
-impl Topology {
-    /// Whether angle-weighted pseudonormals give the right sign: closed, manifold along edges, consistently wound.
-    pub fn is_closed_and_oriented(&self) -> bool {
-        self.boundary_edges == 0 && self.non_manifold_edges == 0 && self.inconsistent_edges == 0
+impl CheckedMesh {
+    /// Welds bit-equal positions (−0 equals 0), drops degenerate triangles and examines the rest.
+    ///
+    /// A triangle is degenerate when it repeats a position or when its height is lost in the
+    /// rounding of its own edges (see [`geometry::has_area`](crate::geometry::has_area)). The
+    /// result depends on the soup alone, not on threads.
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] when nothing is left.
+    ///
+    /// # Panics
+    /// When an index of the soup is out of range.
+    pub fn new(soup: TriangleSoup) -> Result<Self, MeshError> {
+        let welded = weld::weld(&soup);
+        if welded.triangles.is_empty() {
+            return Err(MeshError::NoArea {
+                triangles: soup.triangles.len(),
+            });
+        }
+        Ok(Self {
+            bounds: Aabb::around(welded.positions.iter().copied()),
+            topology: Topology {
+                welded_vertices: welded.duplicates,
+                degenerate_triangles: soup.triangles.len() - welded.triangles.len(),
+                ..Topology::examine(&welded.triangles, welded.positions.len())
+            },
+            positions: welded.positions,
+            triangles: welded.triangles,
+        })
+    }
+
+    /// Positions of the corners of a triangle.
+    pub fn corners(&self, triangle: usize) -> [DVec3; 3] {
+        self.triangles[triangle].map(|vertex| self.positions[vertex as usize])
+    }
+
+    /// Volume inside, cubed mesh units: negative when a closed mesh is inside out, meaningless
+    /// for an open one.
+    pub fn signed_volume(&self) -> f64 {
+        // About the centre of the box: far from the origin the terms would cancel.
+        let centre = self.bounds.centre();
+        let six_volumes = (0..self.triangles.len()).map(|triangle| {
+            let [a, b, c] = self.corners(triangle).map(|corner| corner - centre);
+            a.dot(b.cross(c))
+        });
+        six_volumes.sum::<f64>() / 6.0
+    }
+
+    /// Names this mesh: BLAKE3 over the little-endian bits of the positions and the indices of the
+    /// triangles, cut to 16 bytes.
+    pub fn hash(&self) -> [u8; 16] {
+        let mut hasher = blake3::Hasher::new();
+        for position in &self.positions {
+            for coordinate in position.to_array() {
+                hasher.update(&coordinate.to_le_bytes());
+            }
+        }
+        for triangle in &self.triangles {
+            for vertex in triangle {
+                hasher.update(&vertex.to_le_bytes());
+            }
+        }
+        let mut hash = [0; 16];
+        hasher.finalize_xof().fill(&mut hash);
+        hash
     }
 }
