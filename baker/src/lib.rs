@@ -1,9 +1,13 @@
 //! Bakes triangle meshes into Nearfield signed distance fields.
 
+pub mod corner;
 pub mod distance;
+pub mod encode;
 pub mod field_function;
 pub mod geometry;
 pub mod import;
 pub mod mesh;
+pub mod octree;
 pub mod progress;
+pub mod quantize;
 pub mod settings;

@@ -1,0 +1,4 @@
+//! The only place that rounds: what each precision can store, as the reader will decode it.
+
+pub mod rounding;
+pub mod sample;
