@@ -10,9 +10,7 @@ pub struct Corner(pub [f64; 8]);
 impl Corner {
     /// A corner with no mixed derivatives.
     pub fn first_order(distance: f64, gradient: DVec3) -> Self {
-        Self([
-            distance, gradient.x, gradient.y, 0.0, gradient.z, 0.0, 0.0, 0.0,
-        ])
+        Self([distance, gradient.x, gradient.y, 0.0, gradient.z, 0.0, 0.0, 0.0])
     }
 
     /// The value.

@@ -134,10 +134,7 @@ impl Settings {
             return Err(SettingsError::Margin(self.margin));
         }
         if self.start_depth > self.max_depth || self.max_depth > MAX_DEPTH {
-            return Err(SettingsError::Depth {
-                start: self.start_depth,
-                max: self.max_depth,
-            });
+            return Err(SettingsError::Depth { start: self.start_depth, max: self.max_depth });
         }
         if self.interpolant == Interpolant::Trilinear && self.continuity == Continuity::C1 {
             return Err(SettingsError::TrilinearC1);
@@ -151,10 +148,7 @@ impl Settings {
     /// Hash of the settings, for provenance: equal settings, equal hash, on any machine.
     pub fn hash(&self) -> [u8; 8] {
         let digest = blake3::hash(format!("{self:?}").as_bytes());
-        let (head, _) = digest
-            .as_bytes()
-            .split_first_chunk()
-            .expect("a digest has 32 bytes");
+        let (head, _) = digest.as_bytes().split_first_chunk().expect("a digest has 32 bytes");
         *head
     }
 }

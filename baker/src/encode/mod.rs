@@ -4,7 +4,7 @@ mod blocks;
 mod container;
 mod octree;
 
-pub use container::{Contract, Provenance, write_contract};
+pub use container::{Provenance, write_contract};
 
 use crate::octree::Octree;
 use thiserror::Error;

@@ -12,48 +12,23 @@ use nearfield::layout::{continuity, interpolant, node, octree as layout, section
 /// The sections in file order.
 pub(super) fn sections(octree: &Octree) -> Result<Vec<Section>, EncodeError> {
     let roots = octree.tree.domain.root_cells.element_product() as usize;
-    let mut writer = Writer {
-        octree,
-        nodes: vec![0; roots],
-        samples: Vec::new(),
-    };
+    let mut writer = Writer { octree, nodes: vec![0; roots], samples: Vec::new() };
     for (index, root) in octree.tree.roots().enumerate() {
         let root = octree.tree.node(root);
-        writer.nodes[index] = if root.is_leaf() {
-            writer.root_leaf(root)?
-        } else {
-            writer.inner(root)?
-        };
+        writer.nodes[index] = if root.is_leaf() { writer.root_leaf(root)? } else { writer.inner(root)? };
     }
     let Writer { nodes, samples, .. } = writer;
     Ok(vec![
-        Section {
-            kind: section::OCTREE,
-            bytes: parameters(octree),
-        },
-        Section {
-            kind: section::NODES,
-            bytes: little_endian(nodes),
-        },
-        Section {
-            kind: section::SAMPLES,
-            bytes: little_endian(samples),
-        },
+        Section { kind: section::OCTREE, bytes: parameters(octree) },
+        Section { kind: section::NODES, bytes: little_endian(nodes) },
+        Section { kind: section::SAMPLES, bytes: little_endian(samples) },
     ])
 }
 
 fn parameters(octree: &Octree) -> Vec<u8> {
     let domain = &octree.tree.domain;
-    let leaves = octree
-        .tree
-        .nodes()
-        .iter()
-        .filter(|node| node.is_leaf())
-        .count() as u32;
-    let root_cells = domain
-        .root_cells
-        .to_array()
-        .map(|cells| (cells as u16).to_le_bytes());
+    let leaves = octree.tree.nodes().iter().filter(|node| node.is_leaf()).count() as u32;
+    let root_cells = domain.root_cells.to_array().map(|cells| (cells as u16).to_le_bytes());
 
     let mut bytes = vec![0; layout::LENGTH];
     put(&mut bytes, layout::ROOT_CELLS, root_cells.as_flattened());
@@ -67,16 +42,8 @@ fn parameters(octree: &Octree) -> Vec<u8> {
         Continuity::C0 => continuity::C0,
         Continuity::C1 => continuity::C1,
     };
-    put(
-        &mut bytes,
-        layout::ROOT_EDGE,
-        &(domain.root_edge as f32).to_le_bytes(),
-    );
-    put(
-        &mut bytes,
-        layout::QUANTUM,
-        &octree.rounding.root_quantum().to_le_bytes(),
-    );
+    put(&mut bytes, layout::ROOT_EDGE, &(domain.root_edge as f32).to_le_bytes());
+    put(&mut bytes, layout::QUANTUM, &octree.rounding.root_quantum().to_le_bytes());
     put(&mut bytes, layout::LEAF_COUNT, &leaves.to_le_bytes());
     bytes
 }
@@ -95,22 +62,14 @@ struct Writer<'a> {
 impl Writer<'_> {
     /// Writes an inner node's children and gives its word.
     fn inner(&mut self, node: &Node) -> Result<u32, EncodeError> {
-        let children = self
-            .octree
-            .tree
-            .children(node)
-            .expect("an inner node has children");
+        let children = self.octree.tree.children(node).expect("an inner node has children");
         let group = self.nodes.len();
         self.nodes.extend([0; 8]);
 
         let block = self.block(node, &children)?;
         for (child, &id) in children.iter().enumerate() {
             let node = self.octree.tree.node(id);
-            self.nodes[group + child] = if node.is_leaf() {
-                block
-            } else {
-                self.inner(node)?
-            };
+            self.nodes[group + child] = if node.is_leaf() { block } else { self.inner(node)? };
         }
         word(node::INNER, group)
     }
@@ -138,12 +97,7 @@ impl Writer<'_> {
         }
         let offset = self.samples.len();
         if lattice.iter().any(Option::is_some) {
-            push_block(
-                &mut self.samples,
-                &self.octree.rounding,
-                parent.level + 1,
-                &lattice,
-            );
+            push_block(&mut self.samples, &self.octree.rounding, parent.level + 1, &lattice);
         }
         word(node::LEAF, offset)
     }
@@ -163,17 +117,10 @@ impl Writer<'_> {
 /// The corners of a parent between which a vertex of its 3 x 3 x 3 lattice lies.
 fn parent_corners_around(at: usize) -> impl Iterator<Item = usize> {
     let twice = lattice_offset(at);
-    (0..8).filter(move |&corner| {
-        (twice.as_ivec3() - 2 * octant(corner).as_ivec3())
-            .abs()
-            .max_element()
-            <= 1
-    })
+    (0..8).filter(move |&corner| (twice.as_ivec3() - 2 * octant(corner).as_ivec3()).abs().max_element() <= 1)
 }
 
 fn word(tag: u32, offset: usize) -> Result<u32, EncodeError> {
-    let offset = u32::try_from(offset)
-        .ok()
-        .filter(|&offset| offset <= node::OFFSET_MASK);
+    let offset = u32::try_from(offset).ok().filter(|&offset| offset <= node::OFFSET_MASK);
     Ok(tag << node::OFFSET_BITS | offset.ok_or(EncodeError::TooLarge)?)
 }

@@ -37,12 +37,7 @@ const UNSETTLED: u32 = u32::MAX;
 impl Corners {
     /// No vertex is settled yet.
     pub fn new(settings: &Settings, rounding: Rounding) -> Self {
-        Self {
-            continuity: settings.continuity,
-            rounding,
-            position: Vec::new(),
-            vertices: Vec::new(),
-        }
+        Self { continuity: settings.continuity, rounding, position: Vec::new(), vertices: Vec::new() }
     }
 
     /// A settled vertex.
@@ -52,27 +47,18 @@ impl Corners {
 
     /// Whether a vertex has been settled.
     pub fn is_settled(&self, id: VertexId) -> bool {
-        self.position
-            .get(id.index())
-            .is_some_and(|&position| position != UNSETTLED)
+        self.position.get(id.index()).is_some_and(|&position| position != UNSETTLED)
     }
 
     /// The interpolant of a node whose corners are settled.
     pub fn patch(&self, tree: &Tree, node: &Node) -> Patch {
-        Patch::new(
-            self.rounding.interpolant(),
-            &node.corners.map(|id| self.vertex(id).corner),
-            tree.edge(node),
-        )
+        Patch::new(self.rounding.interpolant(), &node.corners.map(|id| self.vertex(id).corner), tree.edge(node))
     }
 
     /// Settles vertices whose coarsest leaf, among those that have them as a corner, is of this
     /// level. Vertices on coarser leaves must be settled before.
     pub fn settle(&mut self, tree: &Tree, lattice: &Lattice, ids: &[VertexId], level: u8) {
-        let settled: Vec<Vertex> = ids
-            .par_iter()
-            .map(|&id| self.settled(tree, lattice, id, level))
-            .collect();
+        let settled: Vec<Vertex> = ids.par_iter().map(|&id| self.settled(tree, lattice, id, level)).collect();
         self.position.resize(lattice.len(), UNSETTLED);
         for (&id, vertex) in ids.iter().zip(settled) {
             match self.position[id.index()] {
@@ -87,14 +73,8 @@ impl Corners {
 
     fn settled(&self, tree: &Tree, lattice: &Lattice, id: VertexId, level: u8) -> Vertex {
         match self.hangs_on(tree, lattice.vertex(id)) {
-            Some(leaf) => Vertex {
-                corner: self.derivatives_at(tree, leaf, lattice.vertex(id)),
-                hangs: true,
-            },
-            None => Vertex {
-                corner: self.rounding.sample(lattice.sample(id), level),
-                hangs: false,
-            },
+            Some(leaf) => Vertex { corner: self.derivatives_at(tree, leaf, lattice.vertex(id)), hangs: true },
+            None => Vertex { corner: self.rounding.sample(lattice.sample(id), level), hangs: false },
         }
     }
 
@@ -118,13 +98,7 @@ impl Corners {
     }
 
     /// The coarsest leaf on which a vertex hangs, where it misses the sample there by more than the tolerance.
-    pub fn leaf_in_the_way(
-        &self,
-        tree: &Tree,
-        lattice: &Lattice,
-        id: VertexId,
-        tolerance: f64,
-    ) -> Option<NodeId> {
+    pub fn leaf_in_the_way(&self, tree: &Tree, lattice: &Lattice, id: VertexId, tolerance: f64) -> Option<NodeId> {
         let vertex = lattice.vertex(id);
         let leaf = self.hangs_on(tree, vertex)?;
         let found = self.derivatives_at(tree, leaf, vertex).distance();

@@ -23,9 +23,7 @@ impl Domain {
     pub fn around(bounds: &Aabb, settings: &Settings) -> Self {
         let grown = bounds.grown(settings.margin * bounds.size().max_element());
         let size = grown.size();
-        let root_edge = f64::from(
-            ((size.max_element() / f64::from(1u32 << settings.start_depth)) as f32).next_up(),
-        );
+        let root_edge = f64::from(((size.max_element() / f64::from(1u32 << settings.start_depth)) as f32).next_up());
         let root_cells = (size / root_edge).ceil().max(DVec3::ONE);
         let origin = grown.min - 0.5 * (root_cells * root_edge - size);
         Self {

@@ -17,12 +17,7 @@ fn basis(interpolant: Interpolant, t: f64) -> Basis {
     let s = 1.0 - t;
     match interpolant {
         Interpolant::Trilinear => [s, 0.0, t, 0.0],
-        Interpolant::Tricubic => [
-            s * s * (1.0 + 2.0 * t),
-            s * s * t,
-            t * t * (3.0 - 2.0 * t),
-            -t * t * s,
-        ],
+        Interpolant::Tricubic => [s * s * (1.0 + 2.0 * t), s * s * t, t * t * (3.0 - 2.0 * t), -t * t * s],
     }
 }
 
@@ -30,12 +25,7 @@ fn basis_slope(interpolant: Interpolant, t: f64) -> Basis {
     let s = 1.0 - t;
     match interpolant {
         Interpolant::Trilinear => [-1.0, 0.0, 1.0, 0.0],
-        Interpolant::Tricubic => [
-            -6.0 * s * t,
-            s * (1.0 - 3.0 * t),
-            6.0 * s * t,
-            t * (3.0 * t - 2.0),
-        ],
+        Interpolant::Tricubic => [-6.0 * s * t, s * (1.0 - 3.0 * t), 6.0 * s * t, t * (3.0 * t - 2.0)],
     }
 }
 
@@ -56,15 +46,10 @@ impl Patch {
         for (corner, derivatives) in corners.iter().enumerate() {
             for (bits, derivative) in derivatives.0.iter().enumerate() {
                 let entry = |axis: usize| 2 * (corner >> axis & 1) + (bits >> axis & 1);
-                tensor[entry(2)][entry(1)][entry(0)] =
-                    derivative * scale[bits.count_ones() as usize];
+                tensor[entry(2)][entry(1)][entry(0)] = derivative * scale[bits.count_ones() as usize];
             }
         }
-        Self {
-            interpolant,
-            edge,
-            tensor,
-        }
+        Self { interpolant, edge, tensor }
     }
 
     /// The value at cell-local coordinates.
@@ -75,9 +60,7 @@ impl Patch {
 
     /// All eight derivatives at cell-local coordinates, mesh units.
     pub fn derivatives(&self, local: DVec3) -> Corner {
-        let [x, y, z] = local
-            .to_array()
-            .map(|t| [basis(self.interpolant, t), basis_slope(self.interpolant, t)]);
+        let [x, y, z] = local.to_array().map(|t| [basis(self.interpolant, t), basis_slope(self.interpolant, t)]);
         let values = self.contract(&x, &y, &z);
         let scale = 1.0 / self.edge;
         let scale = [1.0, scale, scale * scale, scale * scale * scale];
@@ -132,33 +115,21 @@ impl Patch {
                 [THIRD, 0.0, 2.0 * THIRD, 0.0],
                 [0.0, 0.0, 1.0, 0.0],
             ],
-            Interpolant::Tricubic => [
-                [1.0, 0.0, 0.0, 0.0],
-                [1.0, THIRD, 0.0, 0.0],
-                [0.0, 0.0, 1.0, -THIRD],
-                [0.0, 0.0, 1.0, 0.0],
-            ],
+            Interpolant::Tricubic => {
+                [[1.0, 0.0, 0.0, 0.0], [1.0, THIRD, 0.0, 0.0], [0.0, 0.0, 1.0, -THIRD], [0.0, 0.0, 1.0, 0.0]]
+            }
         };
         self.contract(&rows, &rows, &rows)
     }
 
     /// Applies one basis vector or several along each axis.
-    fn contract<const N: usize>(
-        &self,
-        x: &[Basis; N],
-        y: &[Basis; N],
-        z: &[Basis; N],
-    ) -> [[[f64; N]; N]; N] {
+    fn contract<const N: usize>(&self, x: &[Basis; N], y: &[Basis; N], z: &[Basis; N]) -> [[[f64; N]; N]; N] {
         let dot = |row: &[f64; 4], basis: &Basis| -> f64 {
             row[0] * basis[0] + row[1] * basis[1] + row[2] * basis[2] + row[3] * basis[3]
         };
-        let along_x = self
-            .tensor
-            .map(|plane| plane.map(|row| x.map(|basis| dot(&row, &basis))));
+        let along_x = self.tensor.map(|plane| plane.map(|row| x.map(|basis| dot(&row, &basis))));
         let along_y: [[[f64; N]; N]; 4] = along_x.map(|plane| {
-            y.map(|basis| {
-                std::array::from_fn(|i| dot(&[0, 1, 2, 3].map(|j: usize| plane[j][i]), &basis))
-            })
+            y.map(|basis| std::array::from_fn(|i| dot(&[0, 1, 2, 3].map(|j: usize| plane[j][i]), &basis)))
         });
         z.map(|basis| {
             std::array::from_fn(|j| {
@@ -190,9 +161,8 @@ mod tests {
     }
 
     fn patch(edge: f64) -> Patch {
-        let corners = std::array::from_fn(|i| {
-            cubic(edge * DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64))
-        });
+        let corners =
+            std::array::from_fn(|i| cubic(edge * DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64)));
         Patch::new(Interpolant::Tricubic, &corners, edge)
     }
 
@@ -200,22 +170,12 @@ mod tests {
     fn a_tricubic_patch_reproduces_a_cubic_and_its_derivatives() {
         let patch = patch(0.7);
         for i in 0..100 {
-            let local = DVec3::new(
-                (i % 7) as f64 / 6.0,
-                (i % 5) as f64 / 4.0,
-                (i % 11) as f64 / 10.0,
-            );
+            let local = DVec3::new((i % 7) as f64 / 6.0, (i % 5) as f64 / 4.0, (i % 11) as f64 / 10.0);
             let (found, wanted) = (patch.derivatives(local), cubic(0.7 * local));
             for (found, wanted) in found.0.iter().zip(wanted.0) {
-                assert!(
-                    (found - wanted).abs() < 1e-12,
-                    "{found} instead of {wanted} at {local}"
-                );
+                assert!((found - wanted).abs() < 1e-12, "{found} instead of {wanted} at {local}");
             }
-            assert!(
-                (patch.value(local) - wanted.distance()).abs() < 1e-12,
-                "value at {local}"
-            );
+            assert!((patch.value(local) - wanted.distance()).abs() < 1e-12, "value at {local}");
         }
     }
 
@@ -224,39 +184,21 @@ mod tests {
         let patch = patch(0.7);
         for (i, value) in patch.lattice_values().into_iter().enumerate() {
             let local = 0.5 * DVec3::new((i % 3) as f64, (i / 3 % 3) as f64, (i / 9) as f64);
-            assert!(
-                (value - patch.value(local)).abs() < 1e-12,
-                "lattice sample {i}"
-            );
+            assert!((value - patch.value(local)).abs() < 1e-12, "lattice sample {i}");
         }
     }
 
     #[test]
     fn the_slope_bound_holds_and_is_not_idle() {
         for interpolant in [Interpolant::Trilinear, Interpolant::Tricubic] {
-            let patch = Patch {
-                interpolant,
-                ..patch(0.7)
-            };
+            let patch = Patch { interpolant, ..patch(0.7) };
             let bound = patch.slope_bound();
             let steepest = (0..=1000)
-                .map(|i| {
-                    DVec3::new(
-                        (i % 11) as f64,
-                        (i / 11 % 11) as f64,
-                        (i / 121) as f64 / 8.3,
-                    ) / 10.0
-                })
+                .map(|i| DVec3::new((i % 11) as f64, (i / 11 % 11) as f64, (i / 121) as f64 / 8.3) / 10.0)
                 .map(|local| patch.derivatives(local).gradient().length())
                 .fold(0.0, f64::max);
-            assert!(
-                steepest <= bound * (1.0 + 1e-12),
-                "{interpolant:?}: slope {steepest} above the bound {bound}"
-            );
-            assert!(
-                bound <= 1.5 * steepest,
-                "{interpolant:?}: bound {bound} far above the slope {steepest}"
-            );
+            assert!(steepest <= bound * (1.0 + 1e-12), "{interpolant:?}: slope {steepest} above the bound {bound}");
+            assert!(bound <= 1.5 * steepest, "{interpolant:?}: bound {bound} far above the slope {steepest}");
         }
     }
 }

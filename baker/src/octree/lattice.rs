@@ -35,26 +35,12 @@ pub struct Lattice<'a> {
 impl<'a> Lattice<'a> {
     /// A lattice without samples.
     pub fn new(function: &'a dyn FieldFunction, domain: Domain, rounding: Rounding) -> Self {
-        Self {
-            function,
-            domain,
-            rounding,
-            ids: FxHashMap::default(),
-            vertices: Vec::new(),
-            samples: Vec::new(),
-        }
+        Self { function, domain, rounding, ids: FxHashMap::default(), vertices: Vec::new(), samples: Vec::new() }
     }
 
     /// Samples those of the vertices that were not sampled before.
-    pub fn evaluate(
-        &mut self,
-        vertices: impl ParallelIterator<Item = UVec3>,
-        progress: &dyn Progress,
-    ) {
-        let mut keys: Vec<u64> = vertices
-            .map(morton)
-            .filter(|key| !self.ids.contains_key(key))
-            .collect();
+    pub fn evaluate(&mut self, vertices: impl ParallelIterator<Item = UVec3>, progress: &dyn Progress) {
+        let mut keys: Vec<u64> = vertices.map(morton).filter(|key| !self.ids.contains_key(key)).collect();
         keys.par_sort_unstable();
         keys.dedup();
 
@@ -62,18 +48,12 @@ impl<'a> Lattice<'a> {
         self.ids.reserve(keys.len());
         for batch in keys.chunks(BATCH) {
             let vertices: Vec<UVec3> = batch.iter().map(|&key| vertex(key)).collect();
-            let points: Vec<_> = vertices
-                .iter()
-                .map(|&vertex| self.domain.point(vertex))
-                .collect();
+            let points: Vec<_> = vertices.iter().map(|&vertex| self.domain.point(vertex)).collect();
             let mut samples = self.function.sample_all(&points);
-            samples
-                .par_iter_mut()
-                .for_each(|sample| sample.gradient = self.rounding.gradient(sample.gradient));
+            samples.par_iter_mut().for_each(|sample| sample.gradient = self.rounding.gradient(sample.gradient));
             self.samples.append(&mut samples);
             for (&key, vertex) in batch.iter().zip(vertices) {
-                let id =
-                    u32::try_from(self.vertices.len()).expect("fewer than 2^32 lattice vertices");
+                let id = u32::try_from(self.vertices.len()).expect("fewer than 2^32 lattice vertices");
                 self.ids.insert(key, VertexId(id));
                 self.vertices.push(vertex);
             }
@@ -135,12 +115,7 @@ mod tests {
 
     #[test]
     fn morton_codes_are_reversible_and_ordered_by_octants() {
-        for v in [
-            UVec3::ZERO,
-            UVec3::new(1, 2, 3),
-            UVec3::splat((1 << 21) - 1),
-            UVec3::new(1 << 20, 7, 12345),
-        ] {
+        for v in [UVec3::ZERO, UVec3::new(1, 2, 3), UVec3::splat((1 << 21) - 1), UVec3::new(1 << 20, 7, 12345)] {
             assert_eq!(vertex(morton(v)), v);
         }
         assert!(morton(UVec3::new(7, 7, 7)) < morton(UVec3::new(8, 0, 0)));

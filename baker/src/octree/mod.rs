@@ -46,8 +46,7 @@ impl Octree {
     ) -> Self {
         let domain = Domain::around(bounds, settings);
         let rounding = Rounding::new(settings, domain.root_edge);
-        let Refined { tree, lattice } =
-            refine(function, domain, settings, rounding, target, progress);
+        let Refined { tree, lattice } = refine(function, domain, settings, rounding, target, progress);
 
         // Refinement settled each corner by the tree of its time; the finished tree has the last word.
         let mut corners = Corners::new(settings, rounding);
@@ -62,17 +61,8 @@ impl Octree {
             corners.settle(&tree, &lattice, &ids, level);
         }
 
-        let lipschitz = leaves(&tree)
-            .map(|leaf| corners.patch(&tree, leaf).slope_bound())
-            .reduce(|| 0.0, f64::max);
-        Self {
-            tree,
-            corners,
-            continuity: delivered(settings),
-            rounding,
-            lipschitz,
-            samples: lattice.len(),
-        }
+        let lipschitz = leaves(&tree).map(|leaf| corners.patch(&tree, leaf).slope_bound()).reduce(|| 0.0, f64::max);
+        Self { tree, corners, continuity: delivered(settings), rounding, lipschitz, samples: lattice.len() }
     }
 }
 

@@ -36,10 +36,7 @@ pub fn refine<'a>(
             refinement.split_leaves_in_the_way(&failing, level);
         }
     }
-    Refined {
-        tree: refinement.tree,
-        lattice: refinement.lattice,
-    }
+    Refined { tree: refinement.tree, lattice: refinement.lattice }
 }
 
 struct Refinement<'a, 'p> {
@@ -62,12 +59,7 @@ impl<'a, 'p> Refinement<'a, 'p> {
         let mut lattice = Lattice::new(function, domain, rounding);
         let edge = domain.lattice_edge(0);
         let origins: Vec<_> = root_origins(&domain).collect();
-        lattice.evaluate(
-            origins
-                .par_iter()
-                .flat_map_iter(|&origin| Node::corner_vertices(origin, edge)),
-            progress,
-        );
+        lattice.evaluate(origins.par_iter().flat_map_iter(|&origin| Node::corner_vertices(origin, edge)), progress);
 
         let tree = Tree::new(domain, |vertex| lattice.id(vertex));
         let mut corners = Corners::new(settings, rounding);
@@ -75,41 +67,26 @@ impl<'a, 'p> Refinement<'a, 'p> {
         roots.sort_unstable();
         roots.dedup();
         corners.settle(&tree, &lattice, &roots, 0);
-        Self {
-            tree,
-            lattice,
-            corners,
-            target,
-            progress,
-        }
+        Self { tree, lattice, corners, target, progress }
     }
 
     /// The nodes whose error exceeds the target, in the same order.
     fn failing(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
         self.evaluate_lattices(nodes);
-        nodes
-            .par_iter()
-            .copied()
-            .filter(|&id| self.squared_error(id) > self.target * self.target)
-            .collect()
+        nodes.par_iter().copied().filter(|&id| self.squared_error(id) > self.target * self.target).collect()
     }
 
     /// Samples the 3 x 3 x 3 lattices of nodes: what the error estimate needs, and the children's corners.
     fn evaluate_lattices(&mut self, nodes: &[NodeId]) {
         let tree = &self.tree;
-        let vertices = nodes
-            .par_iter()
-            .flat_map_iter(|&id| lattice_vertices(tree, id));
+        let vertices = nodes.par_iter().flat_map_iter(|&id| lattice_vertices(tree, id));
         self.lattice.evaluate(vertices, self.progress);
     }
 
     /// The mean square error over a node by the trapezoid rule on its 3 x 3 x 3 lattice (section 5).
     fn squared_error(&self, id: NodeId) -> f64 {
         const WEIGHT: [f64; 3] = [0.25, 0.5, 0.25];
-        let values = self
-            .corners
-            .patch(&self.tree, self.tree.node(id))
-            .lattice_values();
+        let values = self.corners.patch(&self.tree, self.tree.node(id)).lattice_values();
         lattice_vertices(&self.tree, id)
             .into_iter()
             .zip(values)
@@ -139,23 +116,14 @@ impl<'a, 'p> Refinement<'a, 'p> {
     /// Section 6: where a corner of the children of `parents` hangs on a coarser leaf that misses the
     /// sample there, that leaf is split too, whatever its own error, until it no longer is in the way.
     fn split_leaves_in_the_way(&mut self, parents: &[NodeId], level: u8) {
-        let mut hanging: Vec<VertexId> = parents
-            .par_iter()
-            .flat_map_iter(|&id| self.child_corners(id))
-            .collect();
+        let mut hanging: Vec<VertexId> = parents.par_iter().flat_map_iter(|&id| self.child_corners(id)).collect();
         hanging.par_sort_unstable();
         hanging.dedup();
 
         loop {
             let in_the_way: Vec<(VertexId, NodeId)> = hanging
                 .par_iter()
-                .filter_map(|&id| {
-                    Some((
-                        id,
-                        self.corners
-                            .leaf_in_the_way(&self.tree, &self.lattice, id, self.target)?,
-                    ))
-                })
+                .filter_map(|&id| Some((id, self.corners.leaf_in_the_way(&self.tree, &self.lattice, id, self.target)?)))
                 .collect();
             let mut leaves: Vec<NodeId> = in_the_way.iter().map(|&(_, leaf)| leaf).collect();
             leaves.par_sort_unstable();
@@ -163,12 +131,7 @@ impl<'a, 'p> Refinement<'a, 'p> {
             if leaves.is_empty() {
                 break;
             }
-            debug_assert!(
-                leaves
-                    .iter()
-                    .all(|&leaf| self.tree.node(leaf).level <= level),
-                "a leaf is in its own way"
-            );
+            debug_assert!(leaves.iter().all(|&leaf| self.tree.node(leaf).level <= level), "a leaf is in its own way");
             self.evaluate_lattices(&leaves);
             self.split(&leaves);
             hanging = in_the_way.into_iter().map(|(id, _)| id).collect();
@@ -180,8 +143,7 @@ impl<'a, 'p> Refinement<'a, 'p> {
     fn settle_children(&mut self, parents: &[NodeId]) {
         let mut parents = parents.to_vec();
         parents.par_sort_by_key(|&id| self.tree.node(id).level);
-        for parents in parents.chunk_by(|&a, &b| self.tree.node(a).level == self.tree.node(b).level)
-        {
+        for parents in parents.chunk_by(|&a, &b| self.tree.node(a).level == self.tree.node(b).level) {
             let mut ids: Vec<VertexId> = parents
                 .par_iter()
                 .flat_map_iter(|&id| {
@@ -191,21 +153,13 @@ impl<'a, 'p> Refinement<'a, 'p> {
                 .collect();
             ids.par_sort_unstable();
             ids.dedup();
-            self.corners.settle(
-                &self.tree,
-                &self.lattice,
-                &ids,
-                self.tree.node(parents[0]).level + 1,
-            );
+            self.corners.settle(&self.tree, &self.lattice, &ids, self.tree.node(parents[0]).level + 1);
         }
     }
 
     fn child_corners(&self, parent: NodeId) -> impl Iterator<Item = VertexId> {
         let children = self.tree.children(self.tree.node(parent));
-        children
-            .into_iter()
-            .flatten()
-            .flat_map(|child| self.tree.node(child).corners)
+        children.into_iter().flatten().flat_map(|child| self.tree.node(child).corners)
     }
 }
 

@@ -15,28 +15,19 @@ struct Spheres {
 
 impl FieldFunction for Spheres {
     fn sample(&self, point: DVec3) -> Sample {
-        self.asked
-            .lock()
-            .expect("no test thread panics while it holds the lock")
-            .push(point);
+        self.asked.lock().expect("no test thread panics while it holds the lock").push(point);
         let sphere = |centre: DVec3, radius: f64| Sample {
             distance: (point - centre).length() - radius,
             gradient: (point - centre).normalize_or(DVec3::X),
         };
-        let (a, b) = (
-            sphere(DVec3::new(-0.4, 0.1, 0.0), 0.5),
-            sphere(DVec3::new(0.5, 0.0, 0.2), 0.4),
-        );
+        let (a, b) = (sphere(DVec3::new(-0.4, 0.1, 0.0), 0.5), sphere(DVec3::new(0.5, 0.0, 0.2), 0.4));
         if a.distance <= b.distance { a } else { b }
     }
 }
 
 const TARGET: f64 = 1e-3;
 
-const BOUNDS: Aabb = Aabb {
-    min: DVec3::new(-0.9, -0.4, -0.5),
-    max: DVec3::new(0.9, 0.6, 0.6),
-};
+const BOUNDS: Aabb = Aabb { min: DVec3::new(-0.9, -0.4, -0.5), max: DVec3::new(0.9, 0.6, 0.6) };
 
 fn settings(interpolant: Interpolant, continuity: Continuity) -> Settings {
     Settings {
@@ -51,13 +42,7 @@ fn settings(interpolant: Interpolant, continuity: Continuity) -> Settings {
 }
 
 fn build(settings: &Settings) -> Octree {
-    Octree::build(
-        &Spheres::default(),
-        &BOUNDS,
-        settings,
-        settings.error.absolute(1.0),
-        &Silent,
-    )
+    Octree::build(&Spheres::default(), &BOUNDS, settings, settings.error.absolute(1.0), &Silent)
 }
 
 /// The derivatives at a lattice vertex as every leaf around it sees them.
@@ -76,17 +61,16 @@ fn seen_from_leaves(octree: &Octree, vertex: UVec3) -> Vec<Corner> {
 /// finer than any face between leaves of the tree.
 fn seams(octree: &Octree) -> (f64, f64) {
     let size = octree.tree.domain.lattice_size();
-    let vertices = (0..size.z)
-        .flat_map(|z| (0..size.y).flat_map(move |y| (0..size.x).map(move |x| UVec3::new(x, y, z))));
+    let vertices =
+        (0..size.z).flat_map(|z| (0..size.y).flat_map(move |y| (0..size.x).map(move |x| UVec3::new(x, y, z))));
     vertices.fold((0.0, 0.0), |(value, gradient): (f64, f64), vertex| {
         let seen = seen_from_leaves(octree, vertex);
-        seen.iter()
-            .fold((value, gradient), |(value, gradient), corner| {
-                (
-                    value.max((corner.distance() - seen[0].distance()).abs()),
-                    gradient.max((corner.gradient() - seen[0].gradient()).length()),
-                )
-            })
+        seen.iter().fold((value, gradient), |(value, gradient), corner| {
+            (
+                value.max((corner.distance() - seen[0].distance()).abs()),
+                gradient.max((corner.gradient() - seen[0].gradient()).length()),
+            )
+        })
     })
 }
 
@@ -96,19 +80,9 @@ fn each_lattice_point_is_evaluated_once() {
     let settings = settings(Interpolant::Tricubic, Continuity::C1);
     let octree = Octree::build(&function, &BOUNDS, &settings, TARGET, &Silent);
 
-    let asked = function
-        .asked
-        .into_inner()
-        .expect("no test thread panics while it holds the lock");
-    let distinct: HashSet<[u64; 3]> = asked
-        .iter()
-        .map(|point| point.to_array().map(f64::to_bits))
-        .collect();
-    assert_eq!(
-        asked.len(),
-        distinct.len(),
-        "some points were asked for twice"
-    );
+    let asked = function.asked.into_inner().expect("no test thread panics while it holds the lock");
+    let distinct: HashSet<[u64; 3]> = asked.iter().map(|point| point.to_array().map(f64::to_bits)).collect();
+    assert_eq!(asked.len(), distinct.len(), "some points were asked for twice");
     assert_eq!(asked.len(), octree.samples);
 }
 
@@ -116,31 +90,17 @@ fn each_lattice_point_is_evaluated_once() {
 fn leaves_of_different_levels_meet() {
     for interpolant in [Interpolant::Trilinear, Interpolant::Tricubic] {
         let octree = build(&settings(interpolant, Continuity::C0));
-        let levels: HashSet<u8> = octree
-            .tree
-            .nodes()
-            .iter()
-            .filter(|node| node.is_leaf())
-            .map(|leaf| leaf.level)
-            .collect();
-        assert!(
-            levels.len() > 1,
-            "{interpolant:?}: the test needs leaves of several levels, found {levels:?}"
-        );
+        let levels: HashSet<u8> =
+            octree.tree.nodes().iter().filter(|node| node.is_leaf()).map(|leaf| leaf.level).collect();
+        assert!(levels.len() > 1, "{interpolant:?}: the test needs leaves of several levels, found {levels:?}");
     }
 }
 
 #[test]
 fn a_tree_without_continuity_has_seams() {
     let (value, gradient) = seams(&build(&settings(Interpolant::Tricubic, Continuity::None)));
-    assert!(
-        value > 1e-4,
-        "value seams of {value}: the other tests would prove nothing"
-    );
-    assert!(
-        gradient > 1e-2,
-        "gradient seams of {gradient}: the other tests would prove nothing"
-    );
+    assert!(value > 1e-4, "value seams of {value}: the other tests would prove nothing");
+    assert!(gradient > 1e-2, "gradient seams of {gradient}: the other tests would prove nothing");
 }
 
 #[test]
@@ -167,26 +127,17 @@ fn the_measured_error_of_a_leaf_is_near_its_target() {
     for interpolant in [Interpolant::Trilinear, Interpolant::Tricubic] {
         let octree = build(&settings(interpolant, Continuity::None));
         let (tree, function) = (&octree.tree, Spheres::default());
-        for leaf in tree
-            .nodes()
-            .iter()
-            .filter(|node| node.is_leaf() && node.level < tree.domain.depth)
-        {
+        for leaf in tree.nodes().iter().filter(|node| node.is_leaf() && node.level < tree.domain.depth) {
             let patch = octree.corners.patch(tree, leaf);
             let square = |i: usize| {
-                let local =
-                    (DVec3::new((i % 5) as f64, (i / 5 % 5) as f64, (i / 25) as f64) + 0.5) / 5.0;
+                let local = (DVec3::new((i % 5) as f64, (i / 5 % 5) as f64, (i / 25) as f64) + 0.5) / 5.0;
                 let point = tree.domain.point(leaf.origin) + local * tree.edge(leaf);
                 (patch.value(local) - function.sample(point).distance).powi(2)
             };
             let rmse = ((0..125).map(square).sum::<f64>() / 125.0).sqrt();
             // The quadrature of section 5 is an estimate from 27 points; at the kink between the
             // spheres it misses up to half of the error.
-            assert!(
-                rmse < 2.0 * TARGET,
-                "{interpolant:?}: error {rmse} in a leaf of level {}",
-                leaf.level
-            );
+            assert!(rmse < 2.0 * TARGET, "{interpolant:?}: error {rmse} in a leaf of level {}", leaf.level);
         }
     }
 }
@@ -194,9 +145,5 @@ fn the_measured_error_of_a_leaf_is_near_its_target() {
 #[test]
 fn the_lipschitz_bound_is_at_least_the_slope_of_a_distance() {
     let octree = build(&settings(Interpolant::Tricubic, Continuity::C1));
-    assert!(
-        (0.99..8.0).contains(&octree.lipschitz),
-        "{}",
-        octree.lipschitz
-    );
+    assert!((0.99..8.0).contains(&octree.lipschitz), "{}", octree.lipschitz);
 }

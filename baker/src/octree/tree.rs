@@ -86,8 +86,7 @@ impl Tree {
 
     /// The children of a node; none for a leaf.
     pub fn children(&self, node: &Node) -> Option<[NodeId; 8]> {
-        node.children
-            .map(|NodeId(first)| std::array::from_fn(|i| NodeId(first + i as u32)))
+        node.children.map(|NodeId(first)| std::array::from_fn(|i| NodeId(first + i as u32)))
     }
 
     /// The root cells, x fastest.
@@ -127,9 +126,7 @@ impl Tree {
 
     /// The coarsest leaf whose closure holds a vertex; among equals, the one nearest the origin.
     pub fn coarsest_leaf_at(&self, vertex: UVec3) -> NodeId {
-        self.leaves_at(vertex)
-            .min_by_key(|&leaf| self.node(leaf).level)
-            .expect("a vertex of the domain touches a leaf")
+        self.leaves_at(vertex).min_by_key(|&leaf| self.node(leaf).level).expect("a vertex of the domain touches a leaf")
     }
 
     /// The leaves whose closure holds a vertex, one for each octant around it inside the domain.
@@ -158,7 +155,6 @@ impl Tree {
 /// Origins of the root cells, x fastest.
 pub fn root_origins(domain: &Domain) -> impl Iterator<Item = UVec3> + Clone + use<> {
     let (cells, edge) = (domain.root_cells, domain.lattice_edge(0));
-    (0..cells.z).flat_map(move |z| {
-        (0..cells.y).flat_map(move |y| (0..cells.x).map(move |x| edge * UVec3::new(x, y, z)))
-    })
+    (0..cells.z)
+        .flat_map(move |z| (0..cells.y).flat_map(move |y| (0..cells.x).map(move |x| edge * UVec3::new(x, y, z))))
 }

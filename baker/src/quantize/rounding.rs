@@ -34,17 +34,8 @@ impl Rounding {
     pub fn new(settings: &Settings, root_edge: f64) -> Self {
         let block_diagonal = 2.0 * root_edge * DVec3::ONE.length();
         let root_quantum = (RANGE_SLACK * block_diagonal / f64::from(DISTANCE_MAX)) as f32;
-        let Settings {
-            interpolant,
-            precision,
-            ..
-        } = *settings;
-        Self {
-            interpolant,
-            precision,
-            root_edge,
-            root_quantum,
-        }
+        let Settings { interpolant, precision, .. } = *settings;
+        Self { interpolant, precision, root_edge, root_quantum }
     }
 
     /// The interpolant whose corners are rounded.
@@ -75,9 +66,7 @@ impl Rounding {
     /// A gradient sampled from the function.
     pub fn gradient(&self, gradient: DVec3) -> DVec3 {
         match self.precision {
-            Precision::Packed32 => {
-                DVec3::from_array(decode_gradient(encode_gradient(gradient)).map(f64::from))
-            }
+            Precision::Packed32 => DVec3::from_array(decode_gradient(encode_gradient(gradient)).map(f64::from)),
             Precision::F16 => gradient.map(to_f16),
             Precision::F32 => gradient.map(to_f32),
         }
@@ -87,9 +76,7 @@ impl Rounding {
     pub fn sample(&self, sample: Sample, level: u8) -> Corner {
         let distance = match (self.precision, self.interpolant) {
             (Precision::F32, _) => to_f32(sample.distance),
-            (Precision::Packed32, Interpolant::Tricubic) => {
-                to_multiple(sample.distance, self.quantum(level))
-            }
+            (Precision::Packed32, Interpolant::Tricubic) => to_multiple(sample.distance, self.quantum(level)),
             _ => to_multiple(sample.distance, self.quantum(level) / FINE_PER_QUANTUM),
         };
         Corner::first_order(distance, sample.gradient)

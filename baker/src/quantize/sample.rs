@@ -36,9 +36,7 @@ pub fn encode_gradient(gradient: DVec3) -> u32 {
         let decoded = Vec3::from_array(decode_gradient(*code)).as_dvec3();
         decoded.distance_squared(direction)
     };
-    let nearest = candidates
-        .into_iter()
-        .min_by(|a, b| error(a).total_cmp(&error(b)));
+    let nearest = candidates.into_iter().min_by(|a, b| error(a).total_cmp(&error(b)));
     nearest.unwrap_or_default()
 }
 
@@ -46,11 +44,7 @@ pub fn encode_gradient(gradient: DVec3) -> u32 {
 /// for a NaN.
 pub fn encode_half(value: f64) -> u16 {
     let largest = f64::from(f16::MAX);
-    let value = if value.is_nan() {
-        0.0
-    } else {
-        value.clamp(-largest, largest)
-    };
+    let value = if value.is_nan() { 0.0 } else { value.clamp(-largest, largest) };
     f16::from_f64(value).to_bits()
 }
 
@@ -79,17 +73,12 @@ mod tests {
         let mut largest: f64 = 0.0;
         let mut sum = 0.0;
         for direction in directions(COUNT) {
-            let angle = direction
-                .angle_between(decoded(encode_gradient(direction)))
-                .to_degrees();
+            let angle = direction.angle_between(decoded(encode_gradient(direction))).to_degrees();
             largest = largest.max(angle);
             sum += angle * angle;
         }
         let rms = libm::sqrt(sum / f64::from(COUNT));
-        assert!(
-            largest < 0.153 && largest > 0.13,
-            "largest error {largest}°"
-        );
+        assert!(largest < 0.153 && largest > 0.13, "largest error {largest}°");
         assert!(rms < 0.059 && rms > 0.05, "root mean square error {rms}°");
     }
 }
