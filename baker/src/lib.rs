@@ -4,3 +4,4 @@ pub mod field_function;
 pub mod geometry;
 pub mod import;
 pub mod mesh;
+pub mod quantize;
