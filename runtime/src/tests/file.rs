@@ -194,7 +194,7 @@ impl Random {
 
     /// A first-order sample that a valid file may hold.
     pub(super) fn packed_sample(&mut self) -> u32 {
-        self.word() % 1023 | (self.word() % 1023) << 10 | (self.word() & 0xFFF) << 20
+        (self.word() % 1023) | ((self.word() % 1023) << 10) | ((self.word() & 0xFFF) << 20)
     }
 }
 

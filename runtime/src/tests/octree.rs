@@ -34,7 +34,7 @@ fn leaves_come_in_order_and_tile_the_box() {
     expected.extend(
         eighth[4..]
             .iter()
-            .map(|[x, y, z]| [8 + 2 * x, 2 * y, 2 + 2 * z]),
+            .map(|[x, y, z]| [8 + 2 * x, 2 * y, 2 * z]),
     );
     assert_eq!(cells, expected);
 

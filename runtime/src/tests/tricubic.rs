@@ -100,6 +100,8 @@ fn one_leaf_reproduces_a_cubic() {
 #[test]
 fn eight_leaves_reproduce_a_cubic_from_one_block() {
     let cubic = Cubic::random(3);
+    let samples = lattice(ALL).flat_map(|point| cubic.sample(point, 1.0));
+    let largest = samples.fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let bytes = divided(single_precision(&cubic, ALL, ALL, 1.0)).bytes();
     let field = open(&bytes);
 
@@ -108,7 +110,7 @@ fn eight_leaves_reproduce_a_cubic_from_one_block() {
         let point = random.point().map(|unit| 2.0 * unit);
         let expected = cubic.derivative([0, 0, 0], point.map(f64::from));
         let distance = field.distance([1.0 + point[0], 2.0 + point[1], 3.0 + point[2]]);
-        let tolerance = 3e-6 * (1.0 + expected.abs());
+        let tolerance = 2.0 * f64::from(f32::EPSILON) * largest;
         assert!(
             (f64::from(distance) - expected).abs() < tolerance,
             "{distance} {expected}"
