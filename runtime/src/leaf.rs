@@ -2,6 +2,7 @@
 
 use crate::bytes::Words;
 use crate::hermite::{self, Corners, Mixed, Tricubic};
+use crate::implied::{self, Jet};
 use crate::layout::{block, packed_sample, precision};
 use crate::octree::{Interpolant, Leaf, Octree};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
@@ -85,24 +86,18 @@ impl Octree<'_> {
 
     /// Evaluates the corners of a tricubic leaf.
     ///
-    /// Leaves without full samples are the common ones: with a call of its own, the compiler leaves
-    /// the mixed derivatives out of them.
+    /// A leaf with nothing but packed first-order samples is the common one: evaluating in a branch of its
+    /// own lets the compiler leave the mixed derivatives out of it.
     #[inline]
     fn tricubic<T>(&self, leaf: &Leaf, evaluate: impl Fn(&Tricubic, Option<&Mixed>) -> T) -> T {
         let block = Block::at(self.samples, leaf.block);
         let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
         let first = lattice_bit(leaf.octant);
-        let places = block.places(first);
-
-        let mut corners = match block.precision {
-            precision::PACKED32 => block.packed_corners(&places, scale),
-            _ => block.wide_corners(&places, scale),
-        };
-        let full = block.full >> first & CORNER_MASK;
-        if full == 0 {
-            return evaluate(&corners, None);
+        let corners = CORNER_MASK << first;
+        if block.precision == precision::PACKED32 && block.full & corners == 0 && block.present & corners == corners {
+            return evaluate(&block.packed_corners(first, scale), None);
         }
-        let mixed = block.full_corners(full, &places, scale, &mut corners);
+        let (corners, mixed) = block.any_corners(first, scale);
         evaluate(&corners, Some(&mixed))
     }
 
@@ -110,16 +105,13 @@ impl Octree<'_> {
     #[inline]
     fn distances(&self, leaf: &Leaf) -> Corners {
         let block = Block::at(self.samples, leaf.block);
-        let ranks = ranks(block.present, lattice_bit(leaf.octant));
-        match block.precision {
-            precision::PACKED32 | precision::F16 => {
-                let quantum = self.quantum(leaf.level) * SIXTEENTH;
-                let base = block.base.wrapping_mul(16);
-                let code = |rank| block.data.word(rank / 2) >> (16 * (rank & 1)) & 0xFFFF;
-                ranks.map(|rank| decode_distance(base, code(rank), quantum))
-            }
-            _ => ranks.map(|rank| decode_single(block.data.word(rank))),
+        let quantum = self.quantum(leaf.level);
+        let first = lattice_bit(leaf.octant);
+        if block.present & (CORNER_MASK << first) == CORNER_MASK << first {
+            return ranks(block.present, first).map(|rank| block.trilinear_distance(rank, quantum));
         }
+        let read = |bit| block.trilinear_distance(rank(block.present, bit), quantum);
+        corner_bits(first).map(|bit| implied::distance(bit, block.present, read))
     }
 }
 
@@ -134,27 +126,19 @@ struct Scale {
     edge: f32,
 }
 
-/// The words after a block's header at which the samples of a leaf's corners start.
-type Places = [usize; 8];
-
 impl Block<'_> {
-    #[inline]
-    fn places(&self, first: u32) -> Places {
-        let ranks_present = ranks(self.present, first);
-        let (stride, full_stride) = strides(self.precision);
-        let mut places = ranks_present.map(|rank| rank * stride);
-        if self.full != 0 {
-            for (place, rank) in places.iter_mut().zip(ranks(self.full, first)) {
-                *place += rank * (full_stride - stride);
-            }
-        }
-        places
-    }
-
     /// Corners of one word each: one plain loop, which compilers turn into vectors.
     #[inline]
-    fn packed_corners(&self, places: &Places, scale: Scale) -> Tricubic {
-        let words = places.map(|place| self.data.word(place));
+    fn packed_corners(&self, first: u32, scale: Scale) -> Tricubic {
+        let mut words = ranks(self.present, first);
+        if self.full != 0 {
+            let (stride, full_stride) = strides(precision::PACKED32);
+            for (word, rank) in words.iter_mut().zip(ranks(self.full, first)) {
+                *word += rank * (full_stride - stride);
+            }
+        }
+
+        let words = words.map(|word| self.data.word(word));
         let mut distance = Corners::default();
         let mut gradient = [Corners::default(); 3];
         for (corner, &word) in words.iter().enumerate() {
@@ -168,56 +152,78 @@ impl Block<'_> {
         Tricubic { distance, gradient }
     }
 
-    /// Corners of half floats or floats.
-    fn wide_corners(&self, places: &Places, scale: Scale) -> Tricubic {
+    /// Corners of any kind, stored or implied.
+    fn any_corners(&self, first: u32, scale: Scale) -> (Tricubic, Mixed) {
         let mut corners = Tricubic { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
-        for (corner, &place) in places.iter().enumerate() {
-            self.read_wide(corner, place, scale, &mut corners);
+        let mut mixed = [Corners::default(); 4];
+        for (corner, bit) in corner_bits(first).into_iter().enumerate() {
+            let jet = implied::jet(bit, self.present, |bit| self.sample(bit, scale));
+            let [x, y, z] = &mut corners.gradient;
+            let [xy, xz, yz, xyz] = &mut mixed;
+            let parts = [&mut corners.distance, x, y, xy, z, xz, yz, xyz];
+            for (part, derivative) in parts.into_iter().zip(jet) {
+                // The mask shows the compiler that no index can fail.
+                part[corner & 7] = derivative;
+            }
         }
-        corners
+        (corners, mixed)
     }
 
-    /// Replaces the full corners, a bit each in `full`, and returns their mixed derivatives.
-    fn full_corners(&self, full: u32, places: &Places, scale: Scale, corners: &mut Tricubic) -> Mixed {
-        let mut mixed = [Corners::default(); 4];
-        for (corner, &place) in places.iter().enumerate() {
-            let bit = (corner >> 2) + 3 * (corner >> 1 & 1) + 9 * (corner & 1);
-            if full >> bit & 1 == 0 {
-                continue;
+    /// The stored sample at a lattice bit.
+    fn sample(&self, bit: u32, scale: Scale) -> Jet {
+        let (stride, full_stride) = strides(self.precision);
+        let place = rank(self.present, bit) * stride + rank(self.full, bit) * (full_stride - stride);
+        let full = self.full >> bit & 1 == 1;
+        let (distance, gradient) = match (self.precision, full) {
+            (precision::PACKED32, false) => {
+                let word = self.data.word(place);
+                let code = word >> packed_sample::DISTANCE_SHIFT;
+                (decode_distance(self.base, code, scale.quantum), decode_gradient(word))
             }
-            self.read_wide(corner, place, scale, corners);
-            let terms = if self.precision == precision::F32 {
-                self.data.words(place + 4).map(decode_single)
-            } else {
+            (precision::F32, _) => {
+                let [distance, x, y, z] = self.data.words(place).map(decode_single);
+                (distance, [x, y, z])
+            }
+            _ => {
+                let [code_x, y_z] = self.data.words(place);
+                let base = self.base.wrapping_mul(16);
+                let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
+                (distance, [high(code_x), low(y_z), high(y_z)])
+            }
+        };
+        let mixed = match (full, self.precision) {
+            (false, _) => [0.0; 4],
+            (true, precision::F32) => self.data.words(place + 4).map(decode_single),
+            (true, _) => {
                 let [xy_xz, yz_xyz] = self.data.words(place + 2);
                 [low(xy_xz), high(xy_xz), low(yz_xyz), high(yz_xyz)]
-            };
-            for (mixed, term) in mixed.iter_mut().zip(terms) {
-                mixed[corner] = term * scale.edge;
             }
-        }
-        mixed
-    }
-
-    /// Reads distance and gradient of a corner that is not packed.
-    #[inline]
-    fn read_wide(&self, corner: usize, place: usize, scale: Scale, corners: &mut Tricubic) {
-        let (distance, gradient) = if self.precision == precision::F32 {
-            let [distance, x, y, z] = self.data.words(place).map(decode_single);
-            (distance, [x, y, z])
-        } else {
-            let [code_x, y_z] = self.data.words(place);
-            let base = self.base.wrapping_mul(16);
-            let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
-            (distance, [high(code_x), low(y_z), high(y_z)])
         };
 
-        // The mask shows the compiler that no index can fail.
-        corners.distance[corner & 7] = distance;
-        for (axis, component) in corners.gradient.iter_mut().zip(gradient) {
-            axis[corner & 7] = component * scale.edge;
-        }
+        let [x, y, z] = gradient.map(|derivative| derivative * scale.edge);
+        let [xy, xz, yz, xyz] = mixed.map(|derivative| derivative * scale.edge);
+        [distance, x, y, xy, z, xz, yz, xyz]
     }
+
+    /// The distance of a trilinear sample.
+    #[inline]
+    fn trilinear_distance(&self, rank: usize, quantum: f32) -> f32 {
+        if self.precision == precision::F32 {
+            return decode_single(self.data.word(rank));
+        }
+        let code = self.data.word(rank / 2) >> (16 * (rank & 1)) & 0xFFFF;
+        decode_distance(self.base.wrapping_mul(16), code, quantum * SIXTEENTH)
+    }
+}
+
+/// Lattice bits of the corners of the octant whose least corner is bit `first`, in the order of [`Corners`].
+fn corner_bits(first: u32) -> [u32; 8] {
+    [0, 9, 3, 12, 1, 10, 4, 13].map(|step| first + step)
+}
+
+/// How many bits of `mask` precede a bit.
+fn rank(mask: u32, bit: u32) -> usize {
+    (mask & ((1 << bit) - 1)).count_ones() as usize
 }
 
 /// Words of a regular and of a full tricubic sample.

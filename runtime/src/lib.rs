@@ -11,6 +11,7 @@ mod error;
 mod field;
 mod header;
 mod hermite;
+mod implied;
 pub mod layout;
 mod leaf;
 mod math;

@@ -2,6 +2,7 @@
 
 use crate::bytes::Words;
 use crate::error::Error;
+use crate::implied::corners_around;
 use crate::layout::{block, node, packed_sample as packed, precision};
 use crate::leaf::{Block, CORNER_MASK, lattice_bit, strides};
 use crate::octree::{Interpolant, Octree};
@@ -57,7 +58,7 @@ pub(crate) fn octree(octree: &Octree<'_>) -> Result<(), Error> {
             }
         }
         if needed != 0 {
-            next_block += check_block(octree, next_block, needed)?;
+            next_block += check_block(octree, next_block, needed, level > 0)?;
         }
         start += siblings as usize;
     }
@@ -72,7 +73,7 @@ pub(crate) fn octree(octree: &Octree<'_>) -> Result<(), Error> {
 }
 
 /// Checks the block at a word of the sample section; returns its length in words.
-fn check_block(octree: &Octree<'_>, at: usize, needed: u32) -> Result<usize, Error> {
+fn check_block(octree: &Octree<'_>, at: usize, needed: u32, may_imply: bool) -> Result<usize, Error> {
     let words = octree.samples.tail(at);
     if words.len() < block::HEADER_WORDS {
         return Err(Error::BlockOrder);
@@ -88,7 +89,8 @@ fn check_block(octree: &Octree<'_>, at: usize, needed: u32) -> Result<usize, Err
     if block.precision > precision::F32 {
         return Err(Error::BlockPrecision);
     }
-    if block.present & needed != needed {
+    let absent = (0..block::LATTICE).filter(|bit| (needed & !block.present) >> bit & 1 == 1);
+    if !absent.map(corners_around).all(|around| may_imply && around != 0 && block.present & around == around) {
         return Err(Error::BlockPresent);
     }
     if block.full & !block.present != 0 || trilinear && block.full != 0 {
