@@ -30,17 +30,11 @@ impl OutputFile {
     pub fn create(path: &Path) -> io::Result<Self> {
         let target = match fs::metadata(path) {
             Ok(existing) if existing.is_dir() => {
-                return Err(io::Error::new(
-                    io::ErrorKind::IsADirectory,
-                    "it is a folder",
-                ));
+                return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
             }
             Ok(existing) if !existing.is_file() => {
                 let device = File::options().write(true).open(path)?;
-                return Ok(Self {
-                    target: path.to_owned(),
-                    destination: Destination::Special(device),
-                });
+                return Ok(Self { target: path.to_owned(), destination: Destination::Special(device) });
             }
             // A link stays a link: what it points to is replaced.
             Ok(_) => path.canonicalize()?,
@@ -48,10 +42,7 @@ impl OutputFile {
         };
         let temporary = builder().tempfile_in(folder_of(&target))?;
 
-        Ok(Self {
-            target,
-            destination: Destination::Temporary(temporary),
-        })
+        Ok(Self { target, destination: Destination::Temporary(temporary) })
     }
 
     /// Puts the complete file in its place.
@@ -63,9 +54,7 @@ impl OutputFile {
 
         match self.destination {
             Destination::Temporary(temporary) => {
-                temporary
-                    .persist(&self.target)
-                    .map_err(|failed| failed.error)?;
+                temporary.persist(&self.target).map_err(|failed| failed.error)?;
                 Ok(())
             }
             Destination::Special(_) => Ok(()),
@@ -133,13 +122,7 @@ mod tests {
     fn entries(folder: &Path) -> Vec<String> {
         let mut names: Vec<String> = fs::read_dir(folder)
             .expect("the folder lists")
-            .map(|entry| {
-                entry
-                    .expect("an entry")
-                    .file_name()
-                    .to_string_lossy()
-                    .into_owned()
-            })
+            .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
             .collect();
         names.sort();
         names
@@ -184,10 +167,7 @@ mod tests {
     fn a_link_stays_a_link_and_a_device_stays_a_device() {
         use std::os::unix::fs::FileTypeExt;
         let folder = tempfile::tempdir().expect("a folder");
-        let (path, link) = (
-            folder.path().join("field.nfd"),
-            folder.path().join("link.nfd"),
-        );
+        let (path, link) = (folder.path().join("field.nfd"), folder.path().join("link.nfd"));
         write(&path, b"old").expect("the first write");
         std::os::unix::fs::symlink(&path, &link).expect("a link");
 
@@ -196,11 +176,6 @@ mod tests {
 
         assert!(fs::symlink_metadata(&link).expect("the link").is_symlink());
         assert_eq!(fs::read(&path).expect("the file behind it"), b"new");
-        assert!(
-            fs::metadata("/dev/null")
-                .expect("the device")
-                .file_type()
-                .is_char_device()
-        );
+        assert!(fs::metadata("/dev/null").expect("the device").file_type().is_char_device());
     }
 }

@@ -19,9 +19,7 @@ impl Draws {
     /// The draws of item `index` of `stream`.
     pub fn new(seed: u64, stream: u64, index: u64) -> Self {
         let stream_counter = mix(seed).wrapping_add(mix(stream.wrapping_add(GAMMA)));
-        Self {
-            counter: mix(stream_counter.wrapping_add(index.wrapping_mul(GAMMA))),
-        }
+        Self { counter: mix(stream_counter.wrapping_add(index.wrapping_mul(GAMMA))) }
     }
 
     /// A unit vector, evenly over the sphere: height and longitude (Archimedes).

@@ -19,11 +19,7 @@ pub(super) fn of_distance(distance: f64, range: f64) -> Rgb {
     let depth = (distance.abs() / range).clamp(0.0, 1.0).sqrt();
     let [near, middle, far] = if distance < 0.0 { INSIDE } else { OUTSIDE };
 
-    if depth < 0.5 {
-        mix(near, middle, 2.0 * depth)
-    } else {
-        mix(middle, far, 2.0 * depth - 1.0)
-    }
+    if depth < 0.5 { mix(near, middle, 2.0 * depth) } else { mix(middle, far, 2.0 * depth - 1.0) }
 }
 
 /// `share` of `over`, the rest of `under`.
@@ -43,8 +39,7 @@ mod tests {
         assert_eq!(of_distance(-1.0, 1.0), INSIDE[2]);
         assert_eq!(of_distance(5.0, 1.0), OUTSIDE[2]);
         assert_eq!(of_distance(0.25, 1.0), OUTSIDE[1]);
-        let ([red_in, _, blue_in], [red_out, _, blue_out]) =
-            (of_distance(-0.5, 1.0), of_distance(0.5, 1.0));
+        let ([red_in, _, blue_in], [red_out, _, blue_out]) = (of_distance(-0.5, 1.0), of_distance(0.5, 1.0));
         assert!(blue_in > red_in && red_out > blue_out);
     }
 }

@@ -14,18 +14,9 @@ pub struct Image {
 impl Image {
     /// A picture of `pixels`, `width` of them a row.
     pub(super) fn new(width: u32, pixels: Vec<Rgb>) -> Self {
-        let height = u32::try_from(pixels.len()).expect("a picture has fewer than 2^32 pixels")
-            / width.max(1);
-        assert_eq!(
-            pixels.len(),
-            width as usize * height as usize,
-            "rows are complete"
-        );
-        Self {
-            width,
-            height,
-            pixels,
-        }
+        let height = u32::try_from(pixels.len()).expect("a picture has fewer than 2^32 pixels") / width.max(1);
+        assert_eq!(pixels.len(), width as usize * height as usize, "rows are complete");
+        Self { width, height, pixels }
     }
 
     /// Pixels along x.

@@ -55,30 +55,18 @@ pub fn slice(field: &Field<'_>, request: &Slice) -> Image {
             distances
         })
         .collect();
-    let raster = Raster {
-        width: plane.width,
-        distances,
-    };
+    let raster = Raster { width: plane.width, distances };
 
     // Colours and lines.
-    let range = raster
-        .distances
-        .iter()
-        .fold(0.0, |range: f32, distance| range.max(distance.abs()));
+    let range = raster.distances.iter().fold(0.0, |range: f32, distance| range.max(distance.abs()));
     let range = f64::from(range.max(f32::MIN_POSITIVE));
     let spacing = round_number(range / ISOLINES);
-    let mut pixels: Vec<Rgb> = (0..raster.distances.len())
-        .map(|index| raster.shade(index, range, spacing))
-        .collect();
+    let mut pixels: Vec<Rgb> = (0..raster.distances.len()).map(|index| raster.shade(index, range, spacing)).collect();
 
     // Borders of the leaves.
     if request.cells {
         let octree = field.octree();
-        let leaves: Vec<Leaf> = rows
-            .par_iter()
-            .flatten_iter()
-            .map(|&point| leaf_of(&octree, point))
-            .collect();
+        let leaves: Vec<Leaf> = rows.par_iter().flatten_iter().map(|&point| leaf_of(&octree, point)).collect();
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let (right, below) = raster.neighbours(index);
             if leaves[index] != leaves[right] || leaves[index] != leaves[below] {
@@ -128,14 +116,7 @@ impl Plane {
         origin[right] = min[right] + 0.5 * pixel;
         origin[up] = max[up] - 0.5 * pixel;
 
-        Self {
-            origin,
-            right,
-            up,
-            pixel,
-            width,
-            height,
-        }
+        Self { origin, right, up, pixel, width, height }
     }
 
     fn row(&self, row: usize) -> Vec<[f32; 3]> {
@@ -158,16 +139,8 @@ struct Raster {
 impl Raster {
     /// The pixels to the right and below, or the pixel itself at the border.
     fn neighbours(&self, index: usize) -> (usize, usize) {
-        let right = if (index + 1).is_multiple_of(self.width) {
-            index
-        } else {
-            index + 1
-        };
-        let below = if index + self.width < self.distances.len() {
-            index + self.width
-        } else {
-            index
-        };
+        let right = if (index + 1).is_multiple_of(self.width) { index } else { index + 1 };
+        let below = if index + self.width < self.distances.len() { index + self.width } else { index };
         (right, below)
     }
 
@@ -177,25 +150,16 @@ impl Raster {
 
         // How much the distance changes from pixel to pixel: what turns a distance into a line's width.
         let (right, below) = self.neighbours(index);
-        let (left, above) = (
-            index - (index % self.width).min(1),
-            index.checked_sub(self.width).unwrap_or(index),
-        );
+        let (left, above) = (index - (index % self.width).min(1), index.checked_sub(self.width).unwrap_or(index));
         let slope = |from: usize, to: usize, step: usize| {
             let pixels = (to - from) / step;
-            if pixels == 0 {
-                0.0
-            } else {
-                (at(to) - at(from)) / pixels as f64
-            }
+            if pixels == 0 { 0.0 } else { (at(to) - at(from)) / pixels as f64 }
         };
         let (across, down) = (slope(left, right, 1), slope(above, below, self.width));
         let change = (across * across + down * down).sqrt().max(1e-6 * range);
 
         // A line of a width in pixels, its edge blurred over one pixel.
-        let coverage = |offset: f64, half_width: f64| {
-            (half_width + 0.5 - offset.abs() / change).clamp(0.0, 1.0)
-        };
+        let coverage = |offset: f64, half_width: f64| (half_width + 0.5 - offset.abs() / change).clamp(0.0, 1.0);
         let to_isoline = distance - (distance / spacing).round() * spacing;
         let ground = colour::of_distance(distance, range);
         let lined = colour::mix(ground, colour::ISOLINE, 0.6 * coverage(to_isoline, 0.5));
@@ -226,20 +190,14 @@ mod tests {
     #[test]
     fn round_numbers() {
         for (least, expected) in [(0.03, 0.05), (0.011, 0.02), (7.0, 10.0), (120.0, 200.0)] {
-            assert!(
-                (round_number(least) / expected - 1.0).abs() < 1e-12,
-                "{least}"
-            );
+            assert!((round_number(least) / expected - 1.0).abs() < 1e-12, "{least}");
         }
     }
 
     #[test]
     fn a_wide_ramp_is_blue_black_and_warm() {
         let distances: Vec<f32> = (-50..=50).map(|step| step as f32 / 50.0).collect();
-        let raster = Raster {
-            width: distances.len(),
-            distances,
-        };
+        let raster = Raster { width: distances.len(), distances };
 
         let [red, _, blue] = raster.shade(3, 1.0, 0.1);
         assert!(blue > red, "inside");

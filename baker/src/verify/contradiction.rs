@@ -35,24 +35,14 @@ pub fn exceeds(contract: &ErrorContract, measurement: &Measurement) -> Option<Co
     let measured = measurement.contract();
     let pairs = [
         ("uniform RMSE", measured.uniform.rmse, contract.uniform.rmse),
-        (
-            "uniform 99 % quantile",
-            measured.uniform.p99,
-            contract.uniform.p99,
-        ),
-        (
-            "uniform maximum",
-            measured.uniform.max,
-            contract.uniform.max,
-        ),
+        ("uniform 99 % quantile", measured.uniform.p99, contract.uniform.p99),
+        ("uniform maximum", measured.uniform.max, contract.uniform.max),
         ("band RMSE", measured.band.rmse, contract.band.rmse),
         ("band 99 % quantile", measured.band.p99, contract.band.p99),
         ("band maximum", measured.band.max, contract.band.max),
         ("largest seam", measured.seam_max, contract.seam_max),
     ];
-    pairs
-        .into_iter()
-        .find_map(|(figure, measured, stored)| worse(figure, measured.into(), stored, 1.0 + SAME))
+    pairs.into_iter().find_map(|(figure, measured, stored)| worse(figure, measured.into(), stored, 1.0 + SAME))
 }
 
 /// The first figure that refutes the contract, given a measurement at other points, at least
@@ -63,27 +53,13 @@ pub fn refutes(contract: &ErrorContract, measurement: &Measurement) -> Option<Co
             .or_else(|| worse(names[1], errors.quantile(FRESH_P99), stored.p99, 1.0 + SAME))
             .or_else(|| worse(names[2], errors.quantile(FRESH_MAX), stored.max, 1.0 + SAME))
     };
-    let uniform = [
-        "uniform RMSE",
-        "uniform 98 % quantile",
-        "uniform 99.9 % quantile",
-    ];
+    let uniform = ["uniform RMSE", "uniform 98 % quantile", "uniform 99.9 % quantile"];
     let band = ["band RMSE", "band 98 % quantile", "band 99.9 % quantile"];
 
-    set(uniform, &measurement.uniform, &contract.uniform)
-        .or_else(|| set(band, &measurement.band, &contract.band))
+    set(uniform, &measurement.uniform, &contract.uniform).or_else(|| set(band, &measurement.band, &contract.band))
 }
 
-fn worse(
-    figure: &'static str,
-    measured: f64,
-    stored: f32,
-    allowance: f64,
-) -> Option<Contradiction> {
+fn worse(figure: &'static str, measured: f64, stored: f32, allowance: f64) -> Option<Contradiction> {
     let stored = f64::from(stored);
-    (measured > stored * allowance).then_some(Contradiction {
-        figure,
-        measured,
-        stored,
-    })
+    (measured > stored * allowance).then_some(Contradiction { figure, measured, stored })
 }

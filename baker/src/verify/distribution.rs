@@ -25,26 +25,16 @@ impl ErrorDistribution {
     pub(super) fn of(answers: &[(f32, [f32; 3])], truth: &[Sample]) -> Self {
         assert_eq!(answers.len(), truth.len(), "one answer a point");
         let pairs = || {
-            answers
-                .iter()
-                .zip(truth)
-                .map(|(&(distance, gradient), exact)| {
-                    let gradient = glam::Vec3::from_array(gradient).as_dvec3();
-                    (
-                        Sample {
-                            distance: f64::from(distance),
-                            gradient,
-                        },
-                        exact,
-                    )
-                })
+            answers.iter().zip(truth).map(|(&(distance, gradient), exact)| {
+                let gradient = glam::Vec3::from_array(gradient).as_dvec3();
+                (Sample { distance: f64::from(distance), gradient }, exact)
+            })
         };
         let count = answers.len().max(1) as f64;
 
         // Values.
-        let mut sorted_errors: Vec<f64> = pairs()
-            .map(|(answer, exact)| (answer.distance - exact.distance).abs())
-            .collect();
+        let mut sorted_errors: Vec<f64> =
+            pairs().map(|(answer, exact)| (answer.distance - exact.distance).abs()).collect();
         let mean_square = sorted_errors.iter().map(|error| error * error).sum::<f64>() / count;
         sorted_errors.sort_by(f64::total_cmp);
 
@@ -53,17 +43,14 @@ impl ErrorDistribution {
         let mean_angle = angles.sum::<f64>() / count;
 
         // Signs.
-        let wrong =
-            || pairs().filter(|(answer, exact)| (answer.distance < 0.0) != (exact.distance < 0.0));
+        let wrong = || pairs().filter(|(answer, exact)| (answer.distance < 0.0) != (exact.distance < 0.0));
 
         Self {
             sorted_errors,
             rmse: mean_square.sqrt(),
             mean_gradient_angle: mean_angle.to_degrees(),
             wrong_signs: wrong().count(),
-            farthest_wrong_sign: wrong()
-                .map(|(_, exact)| exact.distance.abs())
-                .fold(0.0, f64::max),
+            farthest_wrong_sign: wrong().map(|(_, exact)| exact.distance.abs()).fold(0.0, f64::max),
         }
     }
 
@@ -75,10 +62,7 @@ impl ErrorDistribution {
     /// The smallest error that a share of `quantile` of the points does not exceed (nearest rank).
     pub fn quantile(&self, quantile: f64) -> f64 {
         let rank = (quantile * self.count() as f64).ceil() as usize;
-        self.sorted_errors
-            .get(rank.max(1) - 1)
-            .copied()
-            .unwrap_or(0.0)
+        self.sorted_errors.get(rank.max(1) - 1).copied().unwrap_or(0.0)
     }
 
     /// The error that 99 % of the points do not exceed.
@@ -105,20 +89,13 @@ mod tests {
     use super::*;
 
     fn truth(distance: f64) -> Sample {
-        Sample {
-            distance,
-            gradient: DVec3::X,
-        }
+        Sample { distance, gradient: DVec3::X }
     }
 
     #[test]
     fn figures_of_a_set_worked_out_by_hand() {
-        let answers = [
-            (1.0, [1.0, 0.0, 0.0]),
-            (2.5, [0.0, 2.0, 0.0]),
-            (-0.5, [0.0, 0.0, 0.0]),
-            (-4.0, [-1.0, 0.0, 0.0]),
-        ];
+        let answers =
+            [(1.0, [1.0, 0.0, 0.0]), (2.5, [0.0, 2.0, 0.0]), (-0.5, [0.0, 0.0, 0.0]), (-4.0, [-1.0, 0.0, 0.0])];
         let exact = [truth(1.0), truth(2.0), truth(0.25), truth(-4.25)];
 
         let errors = ErrorDistribution::of(&answers, &exact);
@@ -137,9 +114,6 @@ mod tests {
     fn no_points_have_no_error() {
         let errors = ErrorDistribution::of(&[], &[]);
 
-        assert_eq!(
-            (errors.count(), errors.rmse, errors.p99(), errors.max()),
-            (0, 0.0, 0.0, 0.0)
-        );
+        assert_eq!((errors.count(), errors.rmse, errors.p99(), errors.max()), (0, 0.0, 0.0, 0.0));
     }
 }

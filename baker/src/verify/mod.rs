@@ -68,13 +68,7 @@ pub fn measure(
     // Across the faces.
     let seams = seams::measure(&field.octree(), seed);
 
-    Measurement {
-        uniform,
-        band,
-        seams,
-        samples,
-        doubtful_signs,
-    }
+    Measurement { uniform, band, seams, samples, doubtful_signs }
 }
 
 impl Measurement {
@@ -96,33 +90,21 @@ impl Measurement {
 }
 
 fn sample(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> Vec<Sample> {
-    let points: Vec<DVec3> = points
-        .iter()
-        .map(|&point| points::to_dvec3(point))
-        .collect();
+    let points: Vec<DVec3> = points.iter().map(|&point| points::to_dvec3(point)).collect();
     truth.sample_all(&points)
 }
 
 fn answers(field: &Field<'_>, points: &[[f32; 3]]) -> Vec<(f32, [f32; 3])> {
-    points
-        .par_iter()
-        .map(|&point| field.distance_and_gradient(point))
-        .collect()
+    points.par_iter().map(|&point| field.distance_and_gradient(point)).collect()
 }
 
 fn count_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> usize {
-    points
-        .par_iter()
-        .filter(|&&point| truth.sign_is_doubtful(points::to_dvec3(point)))
-        .count()
+    points.par_iter().filter(|&&point| truth.sign_is_doubtful(points::to_dvec3(point))).count()
 }
 
 fn field_box(field: &Field<'_>) -> Aabb {
     let bounds = field.header().bounds;
-    Aabb {
-        min: points::to_dvec3(bounds.min),
-        max: points::to_dvec3(bounds.max),
-    }
+    Aabb { min: points::to_dvec3(bounds.min), max: points::to_dvec3(bounds.max) }
 }
 
 fn contains(bounds: &Aabb, point: DVec3) -> bool {

@@ -25,12 +25,7 @@ pub(super) fn uniform(bounds: &Aabb, count: usize, seed: u64) -> Vec<[f32; 3]> {
 
 /// Points near a mesh: points of its surface, evenly by area, each moved by up to `reach` in a random
 /// direction. No point is farther from the mesh than `reach`, but for the rounding to `f32`.
-pub(super) fn near_surface(
-    mesh: &CheckedMesh,
-    reach: f64,
-    count: usize,
-    seed: u64,
-) -> Vec<[f32; 3]> {
+pub(super) fn near_surface(mesh: &CheckedMesh, reach: f64, count: usize, seed: u64) -> Vec<[f32; 3]> {
     let areas_up_to = cumulative_areas(mesh);
     let Some(&total_area) = areas_up_to.last() else {
         return Vec::new();
@@ -41,8 +36,7 @@ pub(super) fn near_surface(
         let target = draws.unit() * total_area;
         let triangle = areas_up_to.partition_point(|&area| area <= target);
         let corners = mesh.corners(triangle.min(areas_up_to.len() - 1));
-        let point =
-            point_of_triangle(corners, &mut draws) + draws.direction() * (reach * draws.unit());
+        let point = point_of_triangle(corners, &mut draws) + draws.direction() * (reach * draws.unit());
         point.as_vec3().to_array()
     });
 
@@ -88,9 +82,7 @@ fn morton_code(bounds: &Aabb, point: DVec3) -> u64 {
         .to_array()
         .iter()
         .enumerate()
-        .fold(0, |code, (axis, &cell)| {
-            code | spread((cell as u64).min((1 << 21) - 1)) << axis
-        })
+        .fold(0, |code, (axis, &cell)| code | spread((cell as u64).min((1 << 21) - 1)) << axis)
 }
 
 /// Moves bit i of a 21-bit number to bit 3 i.
@@ -133,43 +125,28 @@ mod tests {
     fn near_points_are_near_and_follow_the_area() {
         let points = near_surface(&two_triangles(), 0.01, 20_000, 3);
 
-        let on_large = points
-            .iter()
-            .filter(|point| point[0] + point[1] > 0.0)
-            .count();
+        let on_large = points.iter().filter(|point| point[0] + point[1] > 0.0).count();
         // 8/9 of the area, four standard deviations of a binomial, and the 1 % that leaks over the shared corner.
         let share = on_large as f64 / points.len() as f64;
         assert!((share - 8.0 / 9.0).abs() < 0.02, "share {share}");
-        assert!(
-            points
-                .iter()
-                .all(|point| f64::from(point[2]).abs() <= 0.01 + 1e-9)
-        );
+        assert!(points.iter().all(|point| f64::from(point[2]).abs() <= 0.01 + 1e-9));
         assert!(points.iter().any(|point| f64::from(point[2]).abs() > 0.009));
     }
 
     #[test]
     fn uniform_points_fill_the_box_in_morton_order() {
-        let bounds = Aabb {
-            min: DVec3::new(-1.0, 0.0, 5.0),
-            max: DVec3::new(1.0, 1.0, 6.0),
-        };
+        let bounds = Aabb { min: DVec3::new(-1.0, 0.0, 5.0), max: DVec3::new(1.0, 1.0, 6.0) };
         let points = uniform(&bounds, 10_000, 1);
 
         let found = Aabb::around(points.iter().map(|&point| to_dvec3(point)));
-        assert!(
-            (found.min - bounds.min).length() < 0.01 && (found.max - bounds.max).length() < 0.01
-        );
+        assert!((found.min - bounds.min).length() < 0.01 && (found.max - bounds.max).length() < 0.01);
         assert!(points.is_sorted_by_key(|&point| morton_code(&found, to_dvec3(point))));
     }
 
     #[test]
     fn the_points_do_not_depend_on_the_threads() {
         let with_threads = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .expect("a pool");
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
             pool.install(|| near_surface(&two_triangles(), 0.1, 5_000, 9))
         };
 

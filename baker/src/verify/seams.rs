@@ -53,10 +53,7 @@ pub(super) fn measure(octree: &Octree<'_>, seed: u64) -> SeamStatistics {
         })
         .collect();
 
-    chunks
-        .into_iter()
-        .fold(Sums::default(), Sums::plus)
-        .statistics()
+    chunks.into_iter().fold(Sums::default(), Sums::plus).statistics()
 }
 
 /// A side of a cell: the axis it is perpendicular to, and whether it is the high one.
@@ -67,30 +64,12 @@ struct Face {
 }
 
 const FACES: [Face; 6] = [
-    Face {
-        axis: 0,
-        high: false,
-    },
-    Face {
-        axis: 0,
-        high: true,
-    },
-    Face {
-        axis: 1,
-        high: false,
-    },
-    Face {
-        axis: 1,
-        high: true,
-    },
-    Face {
-        axis: 2,
-        high: false,
-    },
-    Face {
-        axis: 2,
-        high: true,
-    },
+    Face { axis: 0, high: false },
+    Face { axis: 0, high: true },
+    Face { axis: 1, high: false },
+    Face { axis: 1, high: true },
+    Face { axis: 2, high: false },
+    Face { axis: 2, high: true },
 ];
 
 /// Adds the jumps across one face of a leaf, if it is this leaf's turn to measure it.
@@ -98,8 +77,7 @@ fn across(octree: &Octree<'_>, leaf: &Leaf, face: Face, draws: &mut Draws, sums:
     let Some(neighbour) = neighbour(octree, leaf, face) else {
         return;
     };
-    let measured_from_here =
-        neighbour.level < leaf.level || (neighbour.level == leaf.level && face.high);
+    let measured_from_here = neighbour.level < leaf.level || (neighbour.level == leaf.level && face.high);
     if !measured_from_here {
         return;
     }
@@ -110,25 +88,17 @@ fn across(octree: &Octree<'_>, leaf: &Leaf, face: Face, draws: &mut Draws, sums:
         let here = steps.map(|steps| steps as f32 / STEPS as f32);
         let there = std::array::from_fn(|axis| {
             let offset = f64::from(leaf.cell[axis]) - f64::from(neighbour.cell[axis]);
-            ((offset + f64::from(here[axis]) * f64::from(leaf.edge)) / f64::from(neighbour.edge))
-                as f32
+            ((offset + f64::from(here[axis]) * f64::from(leaf.edge)) / f64::from(neighbour.edge)) as f32
         });
 
-        sums.add(
-            octree.evaluate(leaf, here),
-            octree.evaluate(&neighbour, there),
-        );
+        sums.add(octree.evaluate(leaf, here), octree.evaluate(&neighbour, there));
     }
 }
 
 /// The leaf on the other side, at the low corner of the face; none at the border of the box.
 fn neighbour(octree: &Octree<'_>, leaf: &Leaf, face: Face) -> Option<Leaf> {
     let mut cell = leaf.cell;
-    cell[face.axis] = if face.high {
-        cell[face.axis] + leaf.edge
-    } else {
-        cell[face.axis].checked_sub(1)?
-    };
+    cell[face.axis] = if face.high { cell[face.axis] + leaf.edge } else { cell[face.axis].checked_sub(1)? };
     (cell[face.axis] < octree.lattice()[face.axis]).then(|| octree.leaf_at(cell))
 }
 
@@ -142,15 +112,10 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(
-        &mut self,
-        (here, gradient_here): (f32, [f32; 3]),
-        (there, gradient_there): (f32, [f32; 3]),
-    ) {
+    fn add(&mut self, (here, gradient_here): (f32, [f32; 3]), (there, gradient_there): (f32, [f32; 3])) {
         let jump = (f64::from(here) - f64::from(there)).abs();
-        let gradient_square: f64 = (0..3)
-            .map(|axis| (f64::from(gradient_here[axis]) - f64::from(gradient_there[axis])).powi(2))
-            .sum();
+        let gradient_square: f64 =
+            (0..3).map(|axis| (f64::from(gradient_here[axis]) - f64::from(gradient_there[axis])).powi(2)).sum();
 
         *self = self.plus(Self {
             points: 1,
