@@ -13,10 +13,7 @@ pub struct Aabb {
 
 impl Aabb {
     /// The box that holds nothing; joining it with a point gives that point.
-    pub const EMPTY: Self = Self {
-        min: DVec3::INFINITY,
-        max: DVec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
     /// The smallest box around the points.
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
@@ -41,10 +38,7 @@ impl Aabb {
 
     /// This box with `by` added on every side.
     pub fn grown(&self, by: f64) -> Self {
-        Self {
-            min: self.min - by,
-            max: self.max + by,
-        }
+        Self { min: self.min - by, max: self.max + by }
     }
 }
 

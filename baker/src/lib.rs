@@ -1,5 +1,6 @@
 //! Bakes triangle meshes into Nearfield signed distance fields.
 
+mod bake;
 pub mod corner;
 pub mod distance;
 pub mod encode;
@@ -13,5 +14,8 @@ pub mod picture;
 pub mod progress;
 pub mod quantize;
 pub mod random;
+pub mod report;
 pub mod settings;
 pub mod verify;
+
+pub use bake::{BakeError, Baked, bake};

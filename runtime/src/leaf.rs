@@ -27,8 +27,7 @@ impl<'a> Block<'a> {
         Self {
             present: header[block::PRESENT_WORD] & block::LATTICE_MASK,
             full: header[block::FULL_WORD] & block::LATTICE_MASK,
-            precision: header[block::PRESENT_WORD] >> block::PRECISION_SHIFT
-                & block::PRECISION_MASK,
+            precision: header[block::PRESENT_WORD] >> block::PRECISION_SHIFT & block::PRECISION_MASK,
             base: header[block::BASE_WORD].cast_signed(),
             data: words.tail(block::HEADER_WORDS),
         }
@@ -74,12 +73,8 @@ impl Octree<'_> {
     #[inline]
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
-            Interpolant::Tricubic => {
-                self.tricubic(leaf, |corners| corners.value_and_derivatives(local))
-            }
-            Interpolant::Trilinear => {
-                hermite::trilinear_and_derivatives(&self.distances(leaf), local)
-            }
+            Interpolant::Tricubic => self.tricubic(leaf, |corners| corners.value_and_derivatives(local)),
+            Interpolant::Trilinear => hermite::trilinear_and_derivatives(&self.distances(leaf), local),
         };
         let per_edge = 1.0 / self.edge(leaf.level);
         (value, derivatives.map(|derivative| derivative * per_edge))
@@ -107,10 +102,8 @@ impl Octree<'_> {
 
         let quantum = self.quantum(leaf.level);
         let edge = self.edge(leaf.level);
-        let distance =
-            |word: u32| decode_distance(block.base, word >> packed_sample::DISTANCE_SHIFT, quantum);
-        let [near, far] = words
-            .map(|face| decode_gradients(face).map(|axis| axis.map(|component| component * edge)));
+        let distance = |word: u32| decode_distance(block.base, word >> packed_sample::DISTANCE_SHIFT, quantum);
+        let [near, far] = words.map(|face| decode_gradients(face).map(|axis| axis.map(|component| component * edge)));
         Tricubic {
             distance: words.map(|face| face.map(distance)),
             gradient: [[near[0], far[0]], [near[1], far[1]], [near[2], far[2]]],
@@ -143,11 +136,7 @@ impl Octree<'_> {
         }
 
         let has_mixed = block.full >> first & CORNER_MASK != 0;
-        Tricubic {
-            distance,
-            gradient,
-            mixed: has_mixed.then_some(mixed),
-        }
+        Tricubic { distance, gradient, mixed: has_mixed.then_some(mixed) }
     }
 
     /// The distances at the corners of a trilinear leaf.
@@ -202,11 +191,7 @@ impl Sample {
             }
             (precision::PACKED32 | precision::F16, _) => {
                 let [code_x, yz] = block.data.words(at);
-                let [xy_xz, yz_xyz] = if is_full {
-                    block.data.words(at + 2)
-                } else {
-                    [0; 2]
-                };
+                let [xy_xz, yz_xyz] = if is_full { block.data.words(at + 2) } else { [0; 2] };
                 let base = block.base.wrapping_mul(16);
                 Self {
                     distance: decode_distance(base, code_x & 0xFFFF, quantum * SIXTEENTH),
@@ -216,16 +201,8 @@ impl Sample {
             }
             _ => {
                 let [distance, x, y, z] = block.data.words(at).map(decode_single);
-                let mixed = if is_full {
-                    block.data.words(at + 4)
-                } else {
-                    [0; 4]
-                };
-                Self {
-                    distance,
-                    gradient: [x, y, z],
-                    mixed: mixed.map(decode_single),
-                }
+                let mixed = if is_full { block.data.words(at + 4) } else { [0; 4] };
+                Self { distance, gradient: [x, y, z], mixed: mixed.map(decode_single) }
             }
         }
     }

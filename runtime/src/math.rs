@@ -35,10 +35,7 @@ pub(crate) fn length_and_direction(vector: [f32; 3]) -> (f32, [f32; 3]) {
     let reciprocal = reciprocal_sqrt(squared);
 
     let length = taxicab * (squared * reciprocal) * largest;
-    (
-        length.min(f32::MAX),
-        point.map(|component| component * reciprocal),
-    )
+    (length.min(f32::MAX), point.map(|component| component * reciprocal))
 }
 
 /// 2^-`exponent`, for exponents up to 126.

@@ -35,36 +35,20 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    pub(super) const EMPTY: Self = Self {
-        min: [f32::INFINITY; 3],
-        max: [f32::NEG_INFINITY; 3],
-    };
+    pub(super) const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
 
     fn joined(self, other: Self) -> Self {
         let min = |k: usize| {
-            if other.min[k] < self.min[k] {
-                other.min[k]
-            } else {
-                self.min[k]
-            }
+            if other.min[k] < self.min[k] { other.min[k] } else { self.min[k] }
         };
         let max = |k: usize| {
-            if other.max[k] > self.max[k] {
-                other.max[k]
-            } else {
-                self.max[k]
-            }
+            if other.max[k] > self.max[k] { other.max[k] } else { self.max[k] }
         };
-        Self {
-            min: [min(0), min(1), min(2)],
-            max: [max(0), max(1), max(2)],
-        }
+        Self { min: [min(0), min(1), min(2)], max: [max(0), max(1), max(2)] }
     }
 
     fn around(primitives: &[Primitive]) -> Self {
-        primitives
-            .iter()
-            .fold(Self::EMPTY, |all, primitive| all.joined(primitive.bounds))
+        primitives.iter().fold(Self::EMPTY, |all, primitive| all.joined(primitive.bounds))
     }
 
     /// Half the surface area; zero for an empty box.
@@ -75,15 +59,8 @@ impl Bounds {
 }
 
 enum Tree {
-    Leaf {
-        bounds: Bounds,
-        start: usize,
-        count: usize,
-    },
-    Inner {
-        bounds: Bounds,
-        halves: Box<[Tree; 2]>,
-    },
+    Leaf { bounds: Bounds, start: usize, count: usize },
+    Inner { bounds: Bounds, halves: Box<[Tree; 2]> },
 }
 
 impl Tree {
@@ -98,16 +75,10 @@ impl Tree {
 pub(super) fn build(mesh: &LocalMesh) -> Bvh {
     let mut primitives: Vec<Primitive> = (0..mesh.triangles.len() as u32)
         .into_par_iter()
-        .map(|triangle| Primitive {
-            bounds: mesh.bounds(triangle),
-            triangle,
-        })
+        .map(|triangle| Primitive { bounds: mesh.bounds(triangle), triangle })
         .collect();
     let tree = split(&mut primitives, 0, 0);
-    let mut bvh = Bvh {
-        nodes: Vec::new(),
-        packets: Vec::new(),
-    };
+    let mut bvh = Bvh { nodes: Vec::new(), packets: Vec::new() };
     bvh.nodes.push(Node::EMPTY);
     fold(&tree, &primitives, mesh, 0, &mut bvh);
     bvh
@@ -118,11 +89,7 @@ fn split(primitives: &mut [Primitive], start: usize, depth: usize) -> Tree {
     let count = primitives.len();
     let bounds = Bounds::around(primitives);
     if count <= LANES {
-        return Tree::Leaf {
-            bounds,
-            start,
-            count,
-        };
+        return Tree::Leaf { bounds, start, count };
     }
 
     // Levels that median splits of the rest would take.
@@ -134,15 +101,9 @@ fn split(primitives: &mut [Primitive], start: usize, depth: usize) -> Tree {
     let (left, right) = primitives.split_at_mut(middle);
     let mut build_left = || split(left, start, depth + 1);
     let mut build_right = || split(right, start + middle, depth + 1);
-    let (left, right) = if count >= PARALLEL {
-        rayon::join(build_left, build_right)
-    } else {
-        (build_left(), build_right())
-    };
-    Tree::Inner {
-        bounds,
-        halves: Box::new([left, right]),
-    }
+    let (left, right) =
+        if count >= PARALLEL { rayon::join(build_left, build_right) } else { (build_left(), build_right()) };
+    Tree::Inner { bounds, halves: Box::new([left, right]) }
 }
 
 /// A split: primitives whose bin along `axis` is below `bin` go left.
@@ -177,10 +138,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
     let mut centres = Bounds::EMPTY;
     for primitive in primitives {
         let centre = [0, 1, 2].map(|axis| primitive.centre(axis));
-        centres = centres.joined(Bounds {
-            min: centre,
-            max: centre,
-        });
+        centres = centres.joined(Bounds { min: centre, max: centre });
     }
 
     // Bins, all axes in one pass.
@@ -188,8 +146,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
     let mut bins = [[(Bounds::EMPTY, 0usize); BINS]; 3];
     for primitive in primitives {
         for axis in 0..3 {
-            let bin =
-                &mut bins[axis][bin_of(primitive.centre(axis), centres.min[axis], scale[axis])];
+            let bin = &mut bins[axis][bin_of(primitive.centre(axis), centres.min[axis], scale[axis])];
             *bin = (bin.0.joined(primitive.bounds), bin.1 + 1);
         }
     }
@@ -216,15 +173,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
             }
             let total = cost(left) + cost_right[bin];
             if best.as_ref().is_none_or(|(least, _)| total < *least) {
-                best = Some((
-                    total,
-                    Plane {
-                        axis,
-                        bin,
-                        low: centres.min[axis],
-                        scale: scale[axis],
-                    },
-                ));
+                best = Some((total, Plane { axis, bin, low: centres.min[axis], scale: scale[axis] }));
             }
         }
     }
@@ -235,15 +184,10 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
 fn halve(primitives: &mut [Primitive]) -> usize {
     let bounds = Bounds::around(primitives);
     let size = [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]);
-    let axis = (0..3).fold(
-        0,
-        |longest, k| if size[k] > size[longest] { k } else { longest },
-    );
+    let axis = (0..3).fold(0, |longest, k| if size[k] > size[longest] { k } else { longest });
     let middle = (primitives.len() / 2).next_multiple_of(LANES);
     primitives.select_nth_unstable_by(middle, |a, b| {
-        a.centre(axis)
-            .total_cmp(&b.centre(axis))
-            .then(a.triangle.cmp(&b.triangle))
+        a.centre(axis).total_cmp(&b.centre(axis)).then(a.triangle.cmp(&b.triangle))
     });
     middle
 }
@@ -256,8 +200,7 @@ fn fold(tree: &Tree, primitives: &[Primitive], mesh: &LocalMesh, index: usize, b
             Tree::Inner { bounds, .. } => bounds.half_area(),
             Tree::Leaf { .. } => -1.0,
         };
-        let Some(largest) =
-            (0..children.len()).max_by(|&a, &b| area(&children[a]).total_cmp(&area(&children[b])))
+        let Some(largest) = (0..children.len()).max_by(|&a, &b| area(&children[a]).total_cmp(&area(&children[b])))
         else {
             break;
         };
@@ -271,9 +214,7 @@ fn fold(tree: &Tree, primitives: &[Primitive], mesh: &LocalMesh, index: usize, b
     for (lane, child) in children.into_iter().enumerate() {
         let reference = match child {
             Tree::Leaf { start, count, .. } => {
-                let triangles = primitives[*start..start + count]
-                    .iter()
-                    .map(|primitive| primitive.triangle);
+                let triangles = primitives[*start..start + count].iter().map(|primitive| primitive.triangle);
                 bvh.packets.push(Packet::new(mesh, triangles));
                 ChildRef::packet(bvh.packets.len() - 1)
             }

@@ -77,11 +77,7 @@ impl ChildRef {
 
     fn child(self) -> Child {
         let index = (self.0 & !Self::PACKET) as usize;
-        if self.0 & Self::PACKET == 0 {
-            Child::Node(index)
-        } else {
-            Child::Packet(index)
-        }
+        if self.0 & Self::PACKET == 0 { Child::Node(index) } else { Child::Packet(index) }
     }
 }
 
@@ -121,11 +117,7 @@ impl Node {
     /// Squared distances to the boxes.
     #[inline(always)]
     fn distances_squared(&self, query: [f32x8; 3]) -> f32x8 {
-        let outside = |k: usize| {
-            (self.min[k] - query[k])
-                .fast_max(query[k] - self.max[k])
-                .fast_max(f32x8::ZERO)
-        };
+        let outside = |k: usize| (self.min[k] - query[k]).fast_max(query[k] - self.max[k]).fast_max(f32x8::ZERO);
         let [x, y, z] = [outside(0), outside(1), outside(2)];
         x * x + y * y + z * z
     }
@@ -149,12 +141,7 @@ impl Packet {
         // Unused lanes hold a point far beyond every query.
         let far = f32x8::splat(1e17);
         let zero = f32x8::ZERO;
-        let mut packet = Self {
-            a: [far; 3],
-            ab: [zero; 3],
-            ac: [zero; 3],
-            triangles: [NO_TRIANGLE; LANES],
-        };
+        let mut packet = Self { a: [far; 3], ab: [zero; 3], ac: [zero; 3], triangles: [NO_TRIANGLE; LANES] };
         for (lane, triangle) in triangles.enumerate() {
             let corners = mesh.corners(triangle);
             let [a, b, c] = corners;
@@ -163,20 +150,13 @@ impl Packet {
                 packet.ab[axis].as_mut_array()[lane] = (b - a)[axis] as f32;
                 packet.ac[axis].as_mut_array()[lane] = (c - a)[axis] as f32;
             }
-            packet.triangles[lane] = if is_thin(corners) {
-                triangle | THIN
-            } else {
-                triangle
-            };
+            packet.triangles[lane] = if is_thin(corners) { triangle | THIN } else { triangle };
         }
         packet
     }
 
     pub(super) fn triangles(&self) -> impl Iterator<Item = u32> {
-        self.triangles
-            .into_iter()
-            .filter(|&triangle| triangle != NO_TRIANGLE)
-            .map(|triangle| triangle & !THIN)
+        self.triangles.into_iter().filter(|&triangle| triangle != NO_TRIANGLE).map(|triangle| triangle & !THIN)
     }
 
     /// Squared distances to the triangles: the four candidates of
@@ -194,9 +174,7 @@ impl Packet {
             let rest = minus(from_start, times(edge, along));
             dot(rest, rest)
         };
-        let boundary = edge(ap, ab)
-            .fast_min(edge(ap, ac))
-            .fast_min(edge(minus(ap, ab), minus(ac, ab)));
+        let boundary = edge(ap, ab).fast_min(edge(ap, ac)).fast_min(edge(minus(ap, ab), minus(ac, ab)));
 
         // Face, where the projection is inside.
         let normal = cross(ab, ac);
@@ -231,11 +209,7 @@ fn dot(a: [f32x8; 3], b: [f32x8; 3]) -> f32x8 {
 
 #[inline(always)]
 fn cross(a: [f32x8; 3], b: [f32x8; 3]) -> [f32x8; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Whether single precision may overstate the distance to a triangle by more than δ/2, for the
@@ -267,32 +241,19 @@ pub(super) struct Scratch {
 
 impl Scratch {
     pub(super) fn new() -> Self {
-        Self {
-            stack: [(0.0, ChildRef(0)); STACK],
-            candidates: [(0.0, 0); CANDIDATES],
-            candidate_count: 0,
-        }
+        Self { stack: [(0.0, ChildRef(0)); STACK], candidates: [(0.0, 0); CANDIDATES], candidate_count: 0 }
     }
 }
 
 impl Bvh {
     /// Finds the closest triangle to a finite local point. A `seed` is any triangle, best a near one:
     /// it speeds the search up and never bears on the answer.
-    pub(super) fn nearest(
-        &self,
-        mesh: &LocalMesh,
-        point: DVec3,
-        seed: Option<u32>,
-        scratch: &mut Scratch,
-    ) -> Nearest {
+    pub(super) fn nearest(&self, mesh: &LocalMesh, point: DVec3, seed: Option<u32>, scratch: &mut Scratch) -> Nearest {
         let first = seed.unwrap_or(0);
         let mut search = Search {
             mesh,
             point,
-            best: Nearest {
-                triangle: first,
-                closest: closest_point(point, mesh.corners(first)),
-            },
+            best: Nearest { triangle: first, closest: closest_point(point, mesh.corners(first)) },
             margin: 0.0,
             cut: f32::INFINITY,
             scratch,
@@ -333,9 +294,7 @@ impl Search<'_> {
             }
             match child.child() {
                 Child::Node(node) => height = self.visit_node(&bvh.nodes[node], query, height),
-                Child::Packet(packet) => {
-                    self.visit_packet(&bvh.packets[packet], query, distance_squared)
-                }
+                Child::Packet(packet) => self.visit_packet(&bvh.packets[packet], query, distance_squared),
             }
         }
         self.settle();
@@ -366,10 +325,7 @@ impl Search<'_> {
     #[inline(always)]
     fn visit_packet(&mut self, packet: &Packet, query: [f32x8; 3], box_distance_squared: f32) {
         let distances = packet.distances_squared(query);
-        let least = distances
-            .to_array()
-            .into_iter()
-            .fold(f32::INFINITY, |a, b| if b < a { b } else { a });
+        let least = distances.to_array().into_iter().fold(f32::INFINITY, |a, b| if b < a { b } else { a });
         self.lower_cut(least);
 
         let mut near = distances.simd_le(f32x8::splat(self.cut)).to_bitmask();

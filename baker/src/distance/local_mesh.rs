@@ -18,10 +18,7 @@ impl Frame {
         let half = 0.5 * mesh.bounds.size().max_element();
         let (_, exponent) = libm::frexp(half);
         // Within the exponents whose reciprocal is finite too.
-        Self {
-            origin: mesh.bounds.centre(),
-            scale: libm::ldexp(1.0, -exponent.clamp(-1000, 1000)),
-        }
+        Self { origin: mesh.bounds.centre(), scale: libm::ldexp(1.0, -exponent.clamp(-1000, 1000)) }
     }
 
     pub(super) fn to_local(self, point: DVec3) -> DVec3 {
@@ -44,16 +41,8 @@ pub(super) struct LocalMesh {
 impl LocalMesh {
     pub(super) fn new(mesh: &CheckedMesh) -> Self {
         let frame = Frame::around(mesh);
-        let positions = mesh
-            .positions
-            .par_iter()
-            .map(|&position| frame.to_local(position))
-            .collect();
-        Self {
-            frame,
-            positions,
-            triangles: mesh.triangles.clone(),
-        }
+        let positions = mesh.positions.par_iter().map(|&position| frame.to_local(position)).collect();
+        Self { frame, positions, triangles: mesh.triangles.clone() }
     }
 
     pub(super) fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -63,20 +52,13 @@ impl LocalMesh {
     /// Box around a triangle, rounded outward.
     pub(super) fn bounds(&self, triangle: u32) -> Bounds {
         let [a, b, c] = self.corners(triangle);
-        Bounds {
-            min: a.min(b).min(c).to_array().map(round_down),
-            max: a.max(b).max(c).to_array().map(round_up),
-        }
+        Bounds { min: a.min(b).min(c).to_array().map(round_down), max: a.max(b).max(c).to_array().map(round_up) }
     }
 }
 
 fn round_down(value: f64) -> f32 {
     let nearest = value as f32;
-    if f64::from(nearest) > value {
-        nearest.next_down()
-    } else {
-        nearest
-    }
+    if f64::from(nearest) > value { nearest.next_down() } else { nearest }
 }
 
 fn round_up(value: f64) -> f32 {

@@ -72,20 +72,12 @@ impl SignedDistance {
     /// # Panics
     /// For 2³⁰ triangles or more.
     pub fn new(mesh: &CheckedMesh, method: SignMethod) -> Self {
-        assert!(
-            mesh.triangles.len() < 1 << 30,
-            "a mesh of fewer than 2^30 triangles"
-        );
+        assert!(mesh.triangles.len() < 1 << 30, "a mesh of fewer than 2^30 triangles");
         let mesh = LocalMesh::new(mesh);
         let bvh = bvh_build::build(&mesh);
         let pseudonormals = Pseudonormals::new(&mesh);
         let winding = (method == SignMethod::Winding).then(|| WindingTree::new(&mesh, &bvh));
-        Self {
-            mesh,
-            bvh,
-            pseudonormals,
-            winding,
-        }
+        Self { mesh, bvh, pseudonormals, winding }
     }
 
     /// Samples points one after the other: each starts from the answer of the one before.
@@ -96,21 +88,10 @@ impl SignedDistance {
         }
     }
 
-    fn sample_seeded(
-        &self,
-        point: DVec3,
-        seed: Option<u32>,
-        scratch: &mut Scratch,
-    ) -> (Sample, Option<u32>) {
+    fn sample_seeded(&self, point: DVec3, seed: Option<u32>, scratch: &mut Scratch) -> (Sample, Option<u32>) {
         let local = self.mesh.frame.to_local(point);
         if !local.is_finite() {
-            return (
-                Sample {
-                    distance: f64::NAN,
-                    gradient: DVec3::ZERO,
-                },
-                seed,
-            );
+            return (Sample { distance: f64::NAN, gradient: DVec3::ZERO }, seed);
         }
         let nearest = self.bvh.nearest(&self.mesh, local, seed, scratch);
         (self.signed(local, nearest), Some(nearest.triangle))
@@ -128,15 +109,8 @@ impl SignedDistance {
             None => offset.dot(pseudonormal()) < 0.0,
         };
         let sign = if is_inside { -1.0 } else { 1.0 };
-        let gradient = if on_surface {
-            pseudonormal().normalize_or_zero()
-        } else {
-            offset * (sign / distance)
-        };
-        Sample {
-            distance: sign * self.mesh.frame.length_from_local(distance),
-            gradient,
-        }
+        let gradient = if on_surface { pseudonormal().normalize_or_zero() } else { offset * (sign / distance) };
+        Sample { distance: sign * self.mesh.frame.length_from_local(distance), gradient }
     }
 }
 
@@ -158,9 +132,7 @@ impl FieldFunction for SignedDistance {
     /// meshes.
     fn sign_is_doubtful(&self, point: DVec3) -> bool {
         self.winding.as_ref().is_some_and(|winding| {
-            let number = winding
-                .at(&self.mesh, &self.bvh, self.mesh.frame.to_local(point))
-                .abs();
+            let number = winding.at(&self.mesh, &self.bvh, self.mesh.frame.to_local(point)).abs();
             (0.25..0.75).contains(&number)
         })
     }

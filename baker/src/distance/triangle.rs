@@ -57,11 +57,7 @@ pub fn closest_point(query: DVec3, corners: [DVec3; 3]) -> Closest {
         // The face must win by more than rounding: next to an edge, the edge's pseudonormal is the
         // one that cannot be grazed.
         if distance_squared < closest.distance_squared * (1.0 - 4.0 * f64::EPSILON) {
-            closest = Closest {
-                point: a + offset,
-                distance_squared,
-                feature: Feature::Face,
-            };
+            closest = Closest { point: a + offset, distance_squared, feature: Feature::Face };
         }
     }
     closest
@@ -77,16 +73,9 @@ fn closest_on_edge(query: DVec3, corners: [DVec3; 3], edge: u8) -> Closest {
     let (point, feature) = if along >= length_squared && length_squared > 0.0 {
         (end, Feature::Vertex(next))
     } else if along > 0.0 {
-        (
-            start + direction * (along / length_squared),
-            Feature::Edge(edge),
-        )
+        (start + direction * (along / length_squared), Feature::Edge(edge))
     } else {
         (start, Feature::Vertex(edge))
     };
-    Closest {
-        point,
-        distance_squared: (query - point).length_squared(),
-        feature,
-    }
+    Closest { point, distance_squared: (query - point).length_squared(), feature }
 }

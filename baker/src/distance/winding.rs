@@ -45,11 +45,7 @@ impl Cluster {
         let moment = 0.5 * area_vector(corners);
         let area = moment.length();
         let [a, b, c] = corners;
-        Self {
-            area,
-            area_times_centre: area * (a + b + c) / 3.0,
-            moment,
-        }
+        Self { area, area_times_centre: area * (a + b + c) / 3.0, moment }
     }
 
     fn plus(self, other: Self) -> Self {
@@ -124,11 +120,8 @@ impl WindingTree {
 
 impl Dipoles {
     /// Never far: an unused lane is left to the node, which has no child there.
-    const NONE: Self = Self {
-        centre: [f32x8::ZERO; 3],
-        moment: [f32x8::ZERO; 3],
-        far_squared: f32x8::splat(f32::INFINITY),
-    };
+    const NONE: Self =
+        Self { centre: [f32x8::ZERO; 3], moment: [f32x8::ZERO; 3], far_squared: f32x8::splat(f32::INFINITY) };
 
     fn set(&mut self, lane: usize, cluster: Cluster, node: &Node) {
         let centre = cluster.area_times_centre / cluster.area;
@@ -147,10 +140,7 @@ impl Dipoles {
         let distance_squared = x * x + y * y + z * z;
         let along = self.moment[0] * x + self.moment[1] * y + self.moment[2] * z;
         let values = along / (distance_squared * distance_squared.sqrt());
-        (
-            values.to_array(),
-            distance_squared.simd_gt(self.far_squared).to_bitmask(),
-        )
+        (values.to_array(), distance_squared.simd_gt(self.far_squared).to_bitmask())
     }
 }
 
@@ -163,11 +153,7 @@ struct SolidAngles {
 
 impl Default for SolidAngles {
     fn default() -> Self {
-        Self {
-            real: 1.0,
-            imaginary: 0.0,
-            turns: 0,
-        }
+        Self { real: 1.0, imaginary: 0.0, turns: 0 }
     }
 }
 

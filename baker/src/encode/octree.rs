@@ -1,4 +1,4 @@
-//! The sections of an octree: parameters, node words and sample blocks, depth first.
+//! The sections of an octree: parameters, node words and sample blocks, breadth first.
 
 use super::EncodeError;
 use super::blocks::push_block;
@@ -11,17 +11,20 @@ use nearfield::layout::{continuity, interpolant, node, octree as layout, section
 
 /// The sections in file order.
 pub(super) fn sections(octree: &Octree) -> Result<Vec<Section>, EncodeError> {
-    let roots = octree.tree.domain.root_cells.element_product() as usize;
-    let mut writer = Writer { octree, nodes: vec![0; roots], samples: Vec::new() };
-    for (index, root) in octree.tree.roots().enumerate() {
-        let root = octree.tree.node(root);
-        writer.nodes[index] = if root.is_leaf() { writer.root_leaf(root)? } else { writer.inner(root)? };
+    let mut writer = Writer { octree, nodes: Vec::new(), samples: Vec::new(), inner: Vec::new() };
+    for root in octree.tree.roots() {
+        writer.push_root(root)?;
     }
-    let Writer { nodes, samples, .. } = writer;
+    let mut written = 0;
+    while let Some(&parent) = writer.inner.get(written) {
+        writer.push_children(parent)?;
+        written += 1;
+    }
+
     Ok(vec![
         Section { kind: section::OCTREE, bytes: parameters(octree) },
-        Section { kind: section::NODES, bytes: little_endian(nodes) },
-        Section { kind: section::SAMPLES, bytes: little_endian(samples) },
+        Section { kind: section::NODES, bytes: little_endian(writer.nodes) },
+        Section { kind: section::SAMPLES, bytes: little_endian(writer.samples) },
     ])
 }
 
@@ -53,25 +56,42 @@ fn little_endian(words: Vec<u32>) -> Vec<u8> {
     bytemuck::cast_slice(&words).to_vec()
 }
 
+/// Writes groups of siblings in the order of their parents, and blocks in the order of the groups.
 struct Writer<'a> {
     octree: &'a Octree,
     nodes: Vec<u32>,
     samples: Vec<u32>,
+    /// The inner nodes met so far, in the order of their words.
+    inner: Vec<NodeId>,
 }
 
 impl Writer<'_> {
-    /// Writes an inner node's children and gives its word.
-    fn inner(&mut self, node: &Node) -> Result<u32, EncodeError> {
-        let children = self.octree.tree.children(node).expect("an inner node has children");
-        let group = self.nodes.len();
-        self.nodes.extend([0; 8]);
+    /// Writes the word of a root cell, and its block if it is a leaf.
+    fn push_root(&mut self, id: NodeId) -> Result<(), EncodeError> {
+        let root = self.octree.tree.node(id);
+        let word = if root.is_leaf() { self.root_block(root)? } else { self.group(id)? };
+        self.nodes.push(word);
+        Ok(())
+    }
 
-        let block = self.block(node, &children)?;
-        for (child, &id) in children.iter().enumerate() {
-            let node = self.octree.tree.node(id);
-            self.nodes[group + child] = if node.is_leaf() { block } else { self.inner(node)? };
+    /// Writes the words of a node's children, and the block of the leaves among them.
+    fn push_children(&mut self, parent: NodeId) -> Result<(), EncodeError> {
+        let tree = &self.octree.tree;
+        let parent = tree.node(parent);
+        let children = tree.children(parent).expect("an inner node has children");
+        let block = self.block(parent, &children)?;
+        for child in children {
+            let word = if tree.node(child).is_leaf() { block } else { self.group(child)? };
+            self.nodes.push(word);
         }
-        word(node::INNER, group)
+        Ok(())
+    }
+
+    /// The word of an inner node, whose children are to be written after those of all inner nodes before it.
+    fn group(&mut self, id: NodeId) -> Result<u32, EncodeError> {
+        let roots = self.octree.tree.domain.root_cells.element_product() as usize;
+        self.inner.push(id);
+        word(node::INNER, roots + 8 * (self.inner.len() - 1))
     }
 
     /// Writes the block that the leaves among eight siblings share and gives the word of each of them.
@@ -102,8 +122,8 @@ impl Writer<'_> {
         word(node::LEAF, offset)
     }
 
-    /// Writes the block of a root cell that is a leaf, the first octant of its block, and gives its word.
-    fn root_leaf(&mut self, root: &Node) -> Result<u32, EncodeError> {
+    /// Writes the block of a root cell that is a leaf, as its first octant, and gives the word of the leaf.
+    fn root_block(&mut self, root: &Node) -> Result<u32, EncodeError> {
         let mut lattice = [None; 27];
         for (corner, &id) in root.corners.iter().enumerate() {
             lattice[lattice_index(0, corner)] = Some(self.octree.corners.vertex(id));

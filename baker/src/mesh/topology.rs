@@ -26,10 +26,7 @@ impl Topology {
     pub(super) fn examine(triangles: &[[u32; 3]], vertices: usize) -> Self {
         let corners = VertexCorners::new(triangles, vertices);
         let found = corners.sum_over_vertices(triangles, Self::visit_vertex, Self::plus);
-        Self {
-            components: count_components(triangles, vertices),
-            ..found
-        }
+        Self { components: count_components(triangles, vertices), ..found }
     }
 
     /// Whether angle-weighted pseudonormals give the right sign: closed, manifold along edges, consistently wound.
@@ -95,10 +92,7 @@ struct DisjointSets {
 
 impl DisjointSets {
     fn new(count: usize) -> Self {
-        Self {
-            parent: (0..count as u32).collect(),
-            count,
-        }
+        Self { parent: (0..count as u32).collect(), count }
     }
 
     fn root(&mut self, mut item: u32) -> u32 {

@@ -64,6 +64,15 @@ impl Octree {
         let lipschitz = leaves(&tree).map(|leaf| corners.patch(&tree, leaf).slope_bound()).reduce(|| 0.0, f64::max);
         Self { tree, corners, continuity: delivered(settings), rounding, lipschitz, samples: lattice.len() }
     }
+
+    /// Leaves of each level below the root grid.
+    pub fn leaves_by_level(&self) -> Vec<usize> {
+        let mut leaves = vec![0; usize::from(self.tree.domain.depth) + 1];
+        for node in self.tree.nodes().iter().filter(|node| node.is_leaf()) {
+            leaves[usize::from(node.level)] += 1;
+        }
+        leaves
+    }
 }
 
 /// Tricubic leaves that repeat a coarser one's values repeat its gradients too.

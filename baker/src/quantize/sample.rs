@@ -38,9 +38,7 @@ pub fn encode_gradient(gradient: DVec3) -> u32 {
         let decoded = Vec3::from_array(decode_gradient(*code)).as_dvec3();
         decoded.distance_squared(direction)
     };
-    let nearest = candidates
-        .into_iter()
-        .min_by(|a, b| error(a).total_cmp(&error(b)));
+    let nearest = candidates.into_iter().min_by(|a, b| error(a).total_cmp(&error(b)));
     nearest.unwrap_or_default()
 }
 
@@ -48,11 +46,7 @@ pub fn encode_gradient(gradient: DVec3) -> u32 {
 /// for a NaN. Computed in software, so that no machine's own conversion shows in the bytes.
 pub fn encode_half(value: f64) -> u16 {
     let largest = f64::from(f16::MAX);
-    let value = if value.is_nan() {
-        0.0
-    } else {
-        value.clamp(-largest, largest)
-    };
+    let value = if value.is_nan() { 0.0 } else { value.clamp(-largest, largest) };
     f16::from_f64_const(value).to_bits()
 }
 
@@ -81,30 +75,21 @@ mod tests {
         let mut largest: f64 = 0.0;
         let mut sum = 0.0;
         for direction in directions(COUNT) {
-            let angle = direction
-                .angle_between(decoded(encode_gradient(direction)))
-                .to_degrees();
+            let angle = direction.angle_between(decoded(encode_gradient(direction))).to_degrees();
             largest = largest.max(angle);
             sum += angle * angle;
         }
         let rms = libm::sqrt(sum / f64::from(COUNT));
         let bound = (core::f64::consts::SQRT_2 / 511.0).to_degrees();
-        assert!(
-            largest > 0.98 * bound && largest <= 1.001 * bound,
-            "largest error {largest}°"
-        );
-        assert!(
-            (rms - 0.084_02).abs() < 5e-5,
-            "root mean square error {rms}°"
-        );
+        assert!(largest > 0.98 * bound && largest <= 1.001 * bound, "largest error {largest}°");
+        assert!((rms - 0.084_02).abs() < 5e-5, "root mean square error {rms}°");
     }
 
     #[test]
     fn no_code_is_nearer() {
         for direction in directions(20) {
             let error = |code| decoded(code).distance_squared(direction);
-            let codes = (0..=packed::GRADIENT_MAX)
-                .flat_map(|y| (0..=packed::GRADIENT_MAX).map(move |x| x | y << 10));
+            let codes = (0..=packed::GRADIENT_MAX).flat_map(|y| (0..=packed::GRADIENT_MAX).map(move |x| x | y << 10));
             let nearest = codes.map(error).fold(f64::INFINITY, f64::min);
             assert_eq!(error(encode_gradient(direction)), nearest, "{direction}");
         }
@@ -134,12 +119,7 @@ mod tests {
     #[test]
     fn directions_that_do_not_exist_become_z() {
         let nan = f64::NAN;
-        let cases = [
-            DVec3::ZERO,
-            DVec3::splat(nan),
-            DVec3::new(1.0, nan, 0.0),
-            DVec3::INFINITY,
-        ];
+        let cases = [DVec3::ZERO, DVec3::splat(nan), DVec3::new(1.0, nan, 0.0), DVec3::INFINITY];
         for gradient in cases {
             assert_eq!(decoded(encode_gradient(gradient)), DVec3::Z, "{gradient}");
         }
@@ -149,11 +129,7 @@ mod tests {
     fn halves_are_nearest_and_finite() {
         assert_eq!(encode_half(1.0), 0x3C00);
         assert_eq!(encode_half(-2.0), 0xC000);
-        assert_eq!(
-            encode_half(1.0 + 1.0 / 2048.0),
-            0x3C00,
-            "a tie goes to the even code"
-        );
+        assert_eq!(encode_half(1.0 + 1.0 / 2048.0), 0x3C00, "a tie goes to the even code");
         assert_eq!(encode_half(1e300), 0x7BFF);
         assert_eq!(encode_half(f64::NEG_INFINITY), 0xFBFF);
         assert_eq!(encode_half(f64::NAN), 0);
