@@ -8,6 +8,7 @@ pub mod field_function;
 pub mod geometry;
 pub mod import;
 pub mod mesh;
+pub mod morton;
 pub mod octree;
 pub mod output;
 pub mod picture;

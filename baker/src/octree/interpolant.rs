@@ -29,6 +29,23 @@ fn basis_slope(interpolant: Interpolant, t: f64) -> Basis {
     }
 }
 
+/// The control points of value and slope along an axis, both as cubics of the Bernstein basis.
+fn bernstein(interpolant: Interpolant) -> (&'static [Basis; 4], &'static [Basis; 4]) {
+    const ONE: f64 = 1.0 / 3.0;
+    const TWO: f64 = 2.0 / 3.0;
+    match interpolant {
+        Interpolant::Trilinear => (
+            &[[1.0, 0.0, 0.0, 0.0], [TWO, 0.0, ONE, 0.0], [ONE, 0.0, TWO, 0.0], [0.0, 0.0, 1.0, 0.0]],
+            &[[-1.0, 0.0, 1.0, 0.0]; 4],
+        ),
+        Interpolant::Tricubic => (
+            &[[1.0, 0.0, 0.0, 0.0], [1.0, ONE, 0.0, 0.0], [0.0, 0.0, 1.0, -ONE], [0.0, 0.0, 1.0, 0.0]],
+            // The slope is a quadratic with control points s0, 3 (v1 - v0) - s0 - s1, s1; raised by one degree.
+            &[[0.0, 1.0, 0.0, 0.0], [-2.0, -ONE, 2.0, -TWO], [-2.0, -TWO, 2.0, -ONE], [0.0, 0.0, 0.0, 1.0]],
+        ),
+    }
+}
+
 /// The interpolant of one cell, over cell-local coordinates in 0..=1.
 #[derive(Clone, Debug)]
 pub struct Patch {
@@ -77,49 +94,18 @@ impl Patch {
     }
 
     /// An upper bound of the gradient's length over the cell: the longest control vector of the
-    /// gradient in the Bernstein basis, whose hull contains it.
+    /// gradient in the cubic Bernstein basis, whose hull contains it.
     pub fn slope_bound(&self) -> f64 {
-        let points = self.control_points();
-        let at = |p: [usize; 3]| points[p[2]][p[1]][p[0]];
-
-        // A partial derivative is quadratic along its own axis; raised to a cubic, the three partials share one basis.
-        let partial = |p: [usize; 3], axis: usize| {
-            let difference = |i: usize| {
-                let (mut near, mut far) = (p, p);
-                near[axis] = i;
-                far[axis] = i + 1;
-                3.0 * (at(far) - at(near))
-            };
-            match p[axis] {
-                0 => difference(0),
-                1 => (difference(0) + 2.0 * difference(1)) / 3.0,
-                2 => (2.0 * difference(1) + difference(2)) / 3.0,
-                _ => difference(2),
-            }
-        };
-
-        let longest = (0..64)
-            .map(|i| [i & 3, i >> 2 & 3, i >> 4])
-            .map(|p| DVec3::from_array([0, 1, 2].map(|axis| partial(p, axis))).length_squared())
+        let (value, slope) = bernstein(self.interpolant);
+        let by_x = self.contract(slope, value, value);
+        let by_y = self.contract(value, slope, value);
+        let by_z = self.contract(value, value, slope);
+        let gradients = by_x.as_flattened().as_flattened().iter().zip(by_y.as_flattened().as_flattened());
+        let squared = gradients
+            .zip(by_z.as_flattened().as_flattened())
+            .map(|((x, y), z)| x * x + y * y + z * z)
             .fold(0.0, f64::max);
-        longest.sqrt() / self.edge
-    }
-
-    /// The value's control points in the cubic Bernstein basis, `[z][y][x]`.
-    fn control_points(&self) -> [[[f64; 4]; 4]; 4] {
-        const THIRD: f64 = 1.0 / 3.0;
-        let rows: [Basis; 4] = match self.interpolant {
-            Interpolant::Trilinear => [
-                [1.0, 0.0, 0.0, 0.0],
-                [2.0 * THIRD, 0.0, THIRD, 0.0],
-                [THIRD, 0.0, 2.0 * THIRD, 0.0],
-                [0.0, 0.0, 1.0, 0.0],
-            ],
-            Interpolant::Tricubic => {
-                [[1.0, 0.0, 0.0, 0.0], [1.0, THIRD, 0.0, 0.0], [0.0, 0.0, 1.0, -THIRD], [0.0, 0.0, 1.0, 0.0]]
-            }
-        };
-        self.contract(&rows, &rows, &rows)
+        squared.sqrt() / self.edge
     }
 
     /// Applies one basis vector or several along each axis.

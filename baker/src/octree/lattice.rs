@@ -2,6 +2,7 @@
 
 use super::domain::Domain;
 use crate::field_function::{FieldFunction, Sample};
+use crate::morton;
 use crate::progress::Progress;
 use crate::quantize::rounding::Rounding;
 use glam::UVec3;
@@ -40,14 +41,14 @@ impl<'a> Lattice<'a> {
 
     /// Samples those of the vertices that were not sampled before.
     pub fn evaluate(&mut self, vertices: impl ParallelIterator<Item = UVec3>, progress: &dyn Progress) {
-        let mut keys: Vec<u64> = vertices.map(morton).filter(|key| !self.ids.contains_key(key)).collect();
+        let mut keys: Vec<u64> = vertices.map(morton::encode).filter(|key| !self.ids.contains_key(key)).collect();
         keys.par_sort_unstable();
         keys.dedup();
 
         // In Morton order, so that the function is asked about neighbours one after the other.
         self.ids.reserve(keys.len());
         for batch in keys.chunks(BATCH) {
-            let vertices: Vec<UVec3> = batch.iter().map(|&key| vertex(key)).collect();
+            let vertices: Vec<UVec3> = batch.iter().map(|&key| morton::decode(key)).collect();
             let points: Vec<_> = vertices.iter().map(|&vertex| self.domain.point(vertex)).collect();
             let mut samples = self.function.sample_all(&points);
             samples.par_iter_mut().for_each(|sample| sample.gradient = self.rounding.gradient(sample.gradient));
@@ -63,7 +64,7 @@ impl<'a> Lattice<'a> {
 
     /// The identity of a vertex that has been evaluated.
     pub fn id(&self, vertex: UVec3) -> VertexId {
-        self.ids[&morton(vertex)]
+        self.ids[&morton::encode(vertex)]
     }
 
     /// Lattice coordinates of a vertex.
@@ -80,44 +81,5 @@ impl<'a> Lattice<'a> {
     /// How many vertices have been evaluated.
     pub fn len(&self) -> usize {
         self.samples.len()
-    }
-}
-
-/// Interleaves the bits of three coordinates below 2^21.
-fn morton(vertex: UVec3) -> u64 {
-    let spread = |t: u32| {
-        let t = u64::from(t);
-        let t = (t | t << 32) & 0x001f_0000_0000_ffff;
-        let t = (t | t << 16) & 0x001f_0000_ff00_00ff;
-        let t = (t | t << 8) & 0x100f_00f0_0f00_f00f;
-        let t = (t | t << 4) & 0x10c3_0c30_c30c_30c3;
-        (t | t << 2) & 0x1249_2492_4924_9249
-    };
-    spread(vertex.x) | spread(vertex.y) << 1 | spread(vertex.z) << 2
-}
-
-/// The inverse of [`morton`].
-fn vertex(key: u64) -> UVec3 {
-    let gather = |key: u64| {
-        let t = key & 0x1249_2492_4924_9249;
-        let t = (t | t >> 2) & 0x10c3_0c30_c30c_30c3;
-        let t = (t | t >> 4) & 0x100f_00f0_0f00_f00f;
-        let t = (t | t >> 8) & 0x001f_0000_ff00_00ff;
-        let t = (t | t >> 16) & 0x001f_0000_0000_ffff;
-        (t | t >> 32) as u32 & 0x001f_ffff
-    };
-    UVec3::new(gather(key), gather(key >> 1), gather(key >> 2))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn morton_codes_are_reversible_and_ordered_by_octants() {
-        for v in [UVec3::ZERO, UVec3::new(1, 2, 3), UVec3::splat((1 << 21) - 1), UVec3::new(1 << 20, 7, 12345)] {
-            assert_eq!(vertex(morton(v)), v);
-        }
-        assert!(morton(UVec3::new(7, 7, 7)) < morton(UVec3::new(8, 0, 0)));
     }
 }

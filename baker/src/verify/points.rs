@@ -5,8 +5,9 @@
 
 use crate::geometry::Aabb;
 use crate::mesh::CheckedMesh;
+use crate::morton;
 use crate::random::Draws;
-use glam::DVec3;
+use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 
 const UNIFORM_STREAM: u64 = 1;
@@ -76,22 +77,9 @@ fn in_morton_order(mut points: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
 
 /// Position along the Morton curve through a lattice of 2²¹ cells a side.
 fn morton_code(bounds: &Aabb, point: DVec3) -> u64 {
-    const CELLS: f64 = (1u64 << 21) as f64;
+    const CELLS: f64 = (1u64 << morton::BITS) as f64;
     let cells = (point - bounds.min) * (CELLS / bounds.size().max_element().max(f64::MIN_POSITIVE));
-    cells
-        .to_array()
-        .iter()
-        .enumerate()
-        .fold(0, |code, (axis, &cell)| code | spread((cell as u64).min((1 << 21) - 1)) << axis)
-}
-
-/// Moves bit i of a 21-bit number to bit 3 i.
-fn spread(mut bits: u64) -> u64 {
-    bits = (bits | bits << 32) & 0x001f_0000_0000_ffff;
-    bits = (bits | bits << 16) & 0x001f_0000_ff00_00ff;
-    bits = (bits | bits << 8) & 0x100f_00f0_0f00_f00f;
-    bits = (bits | bits << 4) & 0x10c3_0c30_c30c_30c3;
-    (bits | bits << 2) & 0x1249_2492_4924_9249
+    morton::encode(cells.as_uvec3().min(UVec3::splat((1 << morton::BITS) - 1)))
 }
 
 /// The same point for the side that computes in `f64`: exact.
@@ -151,12 +139,5 @@ mod tests {
         };
 
         assert_eq!(with_threads(1), with_threads(3));
-    }
-
-    #[test]
-    fn spreading_moves_bit_i_to_bit_3_i() {
-        for bit in 0..21 {
-            assert_eq!(spread(1 << bit), 1 << (3 * bit));
-        }
     }
 }
