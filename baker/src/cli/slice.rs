@@ -43,7 +43,7 @@ pub(super) struct SliceCommand {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum AxisName {
-    /// y to the right, z up
+    /// z to the right, y up
     X,
     /// x to the right, z up
     Y,
