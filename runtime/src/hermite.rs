@@ -6,8 +6,8 @@
 //! and comes out the same, bit for bit, from the neighbour of equal size. The derivative along an
 //! axis is the same sum with the derivatives of that axis's weights.
 
-/// A number for each corner of a cube: `[x][2 y + z]`.
-pub(crate) type Corners = [[f32; 4]; 2];
+/// A number for each corner of a cube, at `4 x + 2 y + z`.
+pub(crate) type Corners = [f32; 8];
 
 /// Weights of the values and slopes at the two ends of an axis.
 #[derive(Clone, Copy)]
@@ -54,6 +54,12 @@ fn mix<const N: usize>(weights: [f32; 2], ends: [[f32; N]; 2]) -> [f32; N] {
     sum
 }
 
+/// The ends along x of a cube, each a face along y and z.
+#[inline]
+fn along_x([a, b, c, d, e, f, g, h]: Corners) -> [[f32; 4]; 2] {
+    [[a, b, c, d], [e, f, g, h]]
+}
+
 /// The ends along y of a face, each an edge along z.
 #[inline]
 fn along_y([a, b, c, d]: [f32; 4]) -> [[f32; 2]; 2] {
@@ -66,16 +72,16 @@ fn along_z([a, b]: [f32; 2]) -> [[f32; 1]; 2] {
     [[a], [b]]
 }
 
-/// Distances and derivatives at the corners of a leaf. Derivatives are by local coordinates, in
-/// mesh units.
-#[derive(Clone, Copy)]
+/// Distances and first derivatives at the corners of a leaf. All derivatives are by local
+/// coordinates, in mesh units.
 pub(crate) struct Tricubic {
     pub(crate) distance: Corners,
-    /// First derivatives by x, y, z.
+    /// By x, y, z.
     pub(crate) gradient: [Corners; 3],
-    /// Mixed derivatives by xy, xz, yz, xyz; `None` if all are zero.
-    pub(crate) mixed: Option<[Corners; 4]>,
 }
+
+/// Mixed derivatives at the corners of a leaf: by xy, xz, yz, xyz.
+pub(crate) type Mixed = [Corners; 4];
 
 /// A [`Tricubic`] with x given: distances and derivatives by y, z and yz at `2 y + z`.
 #[derive(Clone, Copy)]
@@ -83,7 +89,7 @@ struct Face {
     distance: [f32; 4],
     y: [f32; 4],
     z: [f32; 4],
-    yz: Option<[f32; 4]>,
+    yz: [f32; 4],
 }
 
 /// A [`Face`] with y given.
@@ -94,40 +100,41 @@ struct Edge {
 }
 
 impl Tricubic {
-    /// Value at local coordinates, mesh units.
+    /// Value at local coordinates, mesh units; `mixed` is `None` if all mixed derivatives are zero.
     #[inline]
-    pub(crate) fn value(&self, [x, y, z]: [f32; 3]) -> f32 {
-        let face = self.at_x(&Weights::value(x));
+    pub(crate) fn value(&self, mixed: Option<&Mixed>, [x, y, z]: [f32; 3]) -> f32 {
+        let face = self.at_x(mixed, &Weights::value(x));
         face.at_y(&Weights::value(y)).at_z(&Weights::value(z))
     }
 
     /// Value and derivatives by local coordinates, mesh units. The value has the bits of
     /// [`value`](Self::value).
     #[inline]
-    pub(crate) fn value_and_derivatives(&self, [x, y, z]: [f32; 3]) -> (f32, [f32; 3]) {
+    pub(crate) fn value_and_derivatives(&self, mixed: Option<&Mixed>, [x, y, z]: [f32; 3]) -> (f32, [f32; 3]) {
         let (y_weights, z_weights) = (Weights::value(y), Weights::value(z));
-        let face = self.at_x(&Weights::value(x));
+        let face = self.at_x(mixed, &Weights::value(x));
         let edge = face.at_y(&y_weights);
 
-        let by_x = self.at_x(&Weights::derivative(x)).at_y(&y_weights).at_z(&z_weights);
+        let by_x = self.at_x(mixed, &Weights::derivative(x)).at_y(&y_weights).at_z(&z_weights);
         let by_y = face.at_y(&Weights::derivative(y)).at_z(&z_weights);
         let by_z = edge.at_z(&Weights::derivative(z));
         (edge.at_z(&z_weights), [by_x, by_y, by_z])
     }
 
     #[inline]
-    fn at_x(&self, weights: &Weights) -> Face {
-        let [by_x, by_y, by_z] = self.gradient;
-        let distance = weights.blend(self.distance, by_x);
-        match self.mixed {
-            None => Face { distance, y: mix(weights.value, by_y), z: mix(weights.value, by_z), yz: None },
-            Some([xy, xz, yz, xyz]) => Face {
-                distance,
-                y: weights.blend(by_y, xy),
-                z: weights.blend(by_z, xz),
-                yz: Some(weights.blend(yz, xyz)),
-            },
+    fn at_x(&self, mixed: Option<&Mixed>, weights: &Weights) -> Face {
+        let [by_x, by_y, by_z] = self.gradient.map(along_x);
+        let distance = weights.blend(along_x(self.distance), by_x);
+        let mut y = mix(weights.value, by_y);
+        let mut z = mix(weights.value, by_z);
+        let mut yz = [0.0; 4];
+        if let Some(mixed) = mixed {
+            let [xy, xz, by_yz, xyz] = mixed.map(along_x);
+            y = weights.blend(by_y, xy);
+            z = weights.blend(by_z, xz);
+            yz = weights.blend(by_yz, xyz);
         }
+        Face { distance, y, z, yz }
     }
 }
 
@@ -136,10 +143,7 @@ impl Face {
     fn at_y(&self, weights: &Weights) -> Edge {
         Edge {
             distance: weights.blend(along_y(self.distance), along_y(self.y)),
-            z: match self.yz {
-                None => mix(weights.value, along_y(self.z)),
-                Some(yz) => weights.blend(along_y(self.z), along_y(yz)),
-            },
+            z: weights.blend(along_y(self.z), along_y(self.yz)),
         }
     }
 }
@@ -176,6 +180,6 @@ fn linear(t: f32) -> [f32; 2] {
 
 #[inline]
 fn trilinear_sum(distance: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
-    let [value] = mix(z, along_z(mix(y, along_y(mix(x, *distance)))));
+    let [value] = mix(z, along_z(mix(y, along_y(mix(x, along_x(*distance))))));
     value
 }

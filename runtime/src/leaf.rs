@@ -1,10 +1,10 @@
 //! From a leaf's sample block to its value and gradient.
 
 use crate::bytes::Words;
-use crate::hermite::{self, Corners, Tricubic};
+use crate::hermite::{self, Corners, Mixed, Tricubic};
 use crate::layout::{block, packed_sample, precision};
 use crate::octree::{Interpolant, Leaf, Octree};
-use crate::sample::{decode_distance, decode_gradients, decode_half, decode_single};
+use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
 
 /// A sample block: its header, and the words after it.
 #[derive(Clone, Copy)]
@@ -43,17 +43,20 @@ pub(crate) fn lattice_bit(octant: u32) -> u32 {
 /// Lattice bits of the corners of octant 0.
 pub(crate) const CORNER_MASK: u32 = 0b011_011 | 0b011_011 << 9;
 
-/// How many bits of `mask` precede each of an octant's corners at x = 0, ordered `2 y + z`.
+/// How many bits of `mask` precede each corner of the octant whose least corner is bit `first`.
 ///
-/// `first` is the lattice bit of the octant's least corner. A row of three lattice samples always
-/// holds two corners, so the next row starts two or three samples on.
+/// Two population counts serve all eight corners: a row of the lattice is 3 bits, a layer 9.
 #[inline]
-fn ranks(mask: u32, first: u32) -> [usize; 4] {
-    let below = (mask & ((1 << first) - 1)).count_ones() as usize;
-    let layer = (mask >> first & 0x1FF).count_ones() as usize;
-    let row = 2 + (mask >> first >> 2 & 1) as usize;
-    let upper_row = 2 + (mask >> first >> 11 & 1) as usize;
-    [below, below + layer, below + row, below + layer + upper_row]
+fn ranks(mask: u32, first: u32) -> [usize; 8] {
+    let rest = mask >> first;
+    let below = (mask & ((1 << first) - 1)).count_ones();
+    let layer = (rest & 0x1FF).count_ones();
+    let bit = |step: u32| rest >> step & 1;
+    let row = |step: u32| bit(step) + bit(step + 1) + bit(step + 2);
+
+    let least = [below, below + layer, below + row(0), below + layer + row(9)];
+    let [a, b, c, d] = least;
+    [a, b, c, d, a + bit(0), b + bit(9), c + bit(3), d + bit(12)].map(|rank| rank as usize)
 }
 
 impl Octree<'_> {
@@ -61,7 +64,7 @@ impl Octree<'_> {
     #[inline]
     pub(crate) fn value(&self, leaf: &Leaf, local: [f32; 3]) -> f32 {
         match self.interpolant() {
-            Interpolant::Tricubic => self.tricubic(leaf, |corners| corners.value(local)),
+            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| corners.value(mixed, local)),
             Interpolant::Trilinear => hermite::trilinear(&self.distances(leaf), local),
         }
     }
@@ -73,7 +76,7 @@ impl Octree<'_> {
     #[inline]
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
-            Interpolant::Tricubic => self.tricubic(leaf, |corners| corners.value_and_derivatives(local)),
+            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| corners.value_and_derivatives(mixed, local)),
             Interpolant::Trilinear => hermite::trilinear_and_derivatives(&self.distances(leaf), local),
         };
         let per_edge = 1.0 / self.edge(leaf.level);
@@ -82,78 +85,40 @@ impl Octree<'_> {
 
     /// Evaluates the corners of a tricubic leaf.
     ///
-    /// The leaf with no full samples is the common one: evaluating inside each branch lets the
-    /// compiler leave the mixed derivatives out of it.
+    /// Leaves without full samples are the common ones: with a call of its own, the compiler leaves
+    /// the mixed derivatives out of them.
     #[inline]
-    fn tricubic<T>(&self, leaf: &Leaf, evaluate: impl Fn(&Tricubic) -> T) -> T {
+    fn tricubic<T>(&self, leaf: &Leaf, evaluate: impl Fn(&Tricubic, Option<&Mixed>) -> T) -> T {
         let block = Block::at(self.samples, leaf.block);
-        if block.precision == precision::PACKED32 && block.full == 0 {
-            return evaluate(&self.packed_corners(leaf, &block));
-        }
-        evaluate(&self.any_corners(leaf, &block))
-    }
-
-    /// The corners of a leaf whose block has nothing but packed samples of one word.
-    #[inline]
-    fn packed_corners(&self, leaf: &Leaf, block: &Block<'_>) -> Tricubic {
-        let rows = ranks(block.present, lattice_bit(leaf.octant));
-        let [a, b, c, d] = rows.map(|row| block.data.words::<2>(row));
-        let words = [[a[0], b[0], c[0], d[0]], [a[1], b[1], c[1], d[1]]];
-
-        let quantum = self.quantum(leaf.level);
-        let edge = self.edge(leaf.level);
-        let distance = |word: u32| decode_distance(block.base, word >> packed_sample::DISTANCE_SHIFT, quantum);
-        let [near, far] = words.map(|face| decode_gradients(face).map(|axis| axis.map(|component| component * edge)));
-        Tricubic {
-            distance: words.map(|face| face.map(distance)),
-            gradient: [[near[0], far[0]], [near[1], far[1]], [near[2], far[2]]],
-            mixed: None,
-        }
-    }
-
-    /// The corners of any other tricubic leaf.
-    fn any_corners(&self, leaf: &Leaf, block: &Block<'_>) -> Tricubic {
-        let quantum = self.quantum(leaf.level);
-        let edge = self.edge(leaf.level);
+        let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
         let first = lattice_bit(leaf.octant);
+        let places = block.places(first);
 
-        let mut distance = Corners::default();
-        let mut gradient = [Corners::default(); 3];
-        let mut mixed = [Corners::default(); 4];
-        for corner in 0..8_u32 {
-            let (x, y, z) = (corner >> 2, corner >> 1 & 1, corner & 1);
-            let sample = Sample::read(block, first + x + 3 * y + 9 * z, quantum);
-
-            // The masks say nothing to a reader, but show the compiler that no index can fail.
-            let (x, lane) = ((x & 1) as usize, (corner & 3) as usize);
-            distance[x][lane] = sample.distance;
-            for (axis, component) in gradient.iter_mut().zip(sample.gradient) {
-                axis[x][lane] = component * edge;
-            }
-            for (term, component) in mixed.iter_mut().zip(sample.mixed) {
-                term[x][lane] = component * edge;
-            }
+        let mut corners = match block.precision {
+            precision::PACKED32 => block.packed_corners(&places, scale),
+            _ => block.wide_corners(&places, scale),
+        };
+        let full = block.full >> first & CORNER_MASK;
+        if full == 0 {
+            return evaluate(&corners, None);
         }
-
-        let has_mixed = block.full >> first & CORNER_MASK != 0;
-        Tricubic { distance, gradient, mixed: has_mixed.then_some(mixed) }
+        let mixed = block.full_corners(full, &places, scale, &mut corners);
+        evaluate(&corners, Some(&mixed))
     }
 
     /// The distances at the corners of a trilinear leaf.
     #[inline]
     fn distances(&self, leaf: &Leaf) -> Corners {
         let block = Block::at(self.samples, leaf.block);
-        let rows = ranks(block.present, lattice_bit(leaf.octant));
-        let faces = [rows, rows.map(|rank| rank + 1)];
-
+        let ranks = ranks(block.present, lattice_bit(leaf.octant));
         match block.precision {
             precision::PACKED32 | precision::F16 => {
                 let quantum = self.quantum(leaf.level) * SIXTEENTH;
                 let base = block.base.wrapping_mul(16);
                 let code = |rank| block.data.word(rank / 2) >> (16 * (rank & 1)) & 0xFFFF;
-                faces.map(|face| face.map(|rank| decode_distance(base, code(rank), quantum)))
+                ranks.map(|rank| decode_distance(base, code(rank), quantum))
             }
-            _ => faces.map(|face| face.map(|rank| decode_single(block.data.word(rank)))),
+            _ => ranks.map(|rank| decode_single(block.data.word(rank))),
         }
     }
 }
@@ -161,49 +126,96 @@ impl Octree<'_> {
 /// A 16-bit distance code counts sixteenths of a quantum.
 const SIXTEENTH: f32 = 1.0 / 16.0;
 
-/// One tricubic sample. Derivatives have no unit: mixed ones carry a factor of the leaf's edge for
-/// each order beyond the first.
-struct Sample {
-    distance: f32,
-    gradient: [f32; 3],
-    mixed: [f32; 4],
+/// Units of a leaf's samples, mesh units: of its distances, and of its derivatives by local
+/// coordinates.
+#[derive(Clone, Copy)]
+struct Scale {
+    quantum: f32,
+    edge: f32,
 }
 
-impl Sample {
-    /// The sample at a lattice bit of a tricubic block.
-    fn read(block: &Block<'_>, bit: u32, quantum: f32) -> Self {
-        let below = (1 << bit) - 1;
-        let rank = (block.present & below).count_ones() as usize;
-        let full_rank = (block.full & below).count_ones() as usize;
-        let is_full = block.full >> bit & 1 == 1;
+/// The words after a block's header at which the samples of a leaf's corners start.
+type Places = [usize; 8];
 
-        let (stride, full_stride) = strides(block.precision);
-        let at = rank * stride + full_rank * (full_stride - stride);
-        match (block.precision, is_full) {
-            (precision::PACKED32, false) => {
-                let word = block.data.word(at);
-                let code = word >> packed_sample::DISTANCE_SHIFT;
-                Self {
-                    distance: decode_distance(block.base, code, quantum),
-                    gradient: crate::sample::decode_gradient(word),
-                    mixed: [0.0; 4],
-                }
+impl Block<'_> {
+    #[inline]
+    fn places(&self, first: u32) -> Places {
+        let ranks_present = ranks(self.present, first);
+        let (stride, full_stride) = strides(self.precision);
+        let mut places = ranks_present.map(|rank| rank * stride);
+        if self.full != 0 {
+            for (place, rank) in places.iter_mut().zip(ranks(self.full, first)) {
+                *place += rank * (full_stride - stride);
             }
-            (precision::PACKED32 | precision::F16, _) => {
-                let [code_x, yz] = block.data.words(at);
-                let [xy_xz, yz_xyz] = if is_full { block.data.words(at + 2) } else { [0; 2] };
-                let base = block.base.wrapping_mul(16);
-                Self {
-                    distance: decode_distance(base, code_x & 0xFFFF, quantum * SIXTEENTH),
-                    gradient: [high(code_x), low(yz), high(yz)],
-                    mixed: [low(xy_xz), high(xy_xz), low(yz_xyz), high(yz_xyz)],
-                }
+        }
+        places
+    }
+
+    /// Corners of one word each: one plain loop, which compilers turn into vectors.
+    #[inline]
+    fn packed_corners(&self, places: &Places, scale: Scale) -> Tricubic {
+        let words = places.map(|place| self.data.word(place));
+        let mut distance = Corners::default();
+        let mut gradient = [Corners::default(); 3];
+        for (corner, &word) in words.iter().enumerate() {
+            let code = word >> packed_sample::DISTANCE_SHIFT;
+            distance[corner] = decode_distance(self.base, code, scale.quantum);
+            let [x, y, z] = decode_gradient(word);
+            gradient[0][corner] = x * scale.edge;
+            gradient[1][corner] = y * scale.edge;
+            gradient[2][corner] = z * scale.edge;
+        }
+        Tricubic { distance, gradient }
+    }
+
+    /// Corners of half floats or floats.
+    fn wide_corners(&self, places: &Places, scale: Scale) -> Tricubic {
+        let mut corners = Tricubic { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
+        for (corner, &place) in places.iter().enumerate() {
+            self.read_wide(corner, place, scale, &mut corners);
+        }
+        corners
+    }
+
+    /// Replaces the full corners, a bit each in `full`, and returns their mixed derivatives.
+    fn full_corners(&self, full: u32, places: &Places, scale: Scale, corners: &mut Tricubic) -> Mixed {
+        let mut mixed = [Corners::default(); 4];
+        for (corner, &place) in places.iter().enumerate() {
+            let bit = (corner >> 2) + 3 * (corner >> 1 & 1) + 9 * (corner & 1);
+            if full >> bit & 1 == 0 {
+                continue;
             }
-            _ => {
-                let [distance, x, y, z] = block.data.words(at).map(decode_single);
-                let mixed = if is_full { block.data.words(at + 4) } else { [0; 4] };
-                Self { distance, gradient: [x, y, z], mixed: mixed.map(decode_single) }
+            self.read_wide(corner, place, scale, corners);
+            let terms = if self.precision == precision::F32 {
+                self.data.words(place + 4).map(decode_single)
+            } else {
+                let [xy_xz, yz_xyz] = self.data.words(place + 2);
+                [low(xy_xz), high(xy_xz), low(yz_xyz), high(yz_xyz)]
+            };
+            for (mixed, term) in mixed.iter_mut().zip(terms) {
+                mixed[corner] = term * scale.edge;
             }
+        }
+        mixed
+    }
+
+    /// Reads distance and gradient of a corner that is not packed.
+    #[inline]
+    fn read_wide(&self, corner: usize, place: usize, scale: Scale, corners: &mut Tricubic) {
+        let (distance, gradient) = if self.precision == precision::F32 {
+            let [distance, x, y, z] = self.data.words(place).map(decode_single);
+            (distance, [x, y, z])
+        } else {
+            let [code_x, y_z] = self.data.words(place);
+            let base = self.base.wrapping_mul(16);
+            let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
+            (distance, [high(code_x), low(y_z), high(y_z)])
+        };
+
+        // The mask shows the compiler that no index can fail.
+        corners.distance[corner & 7] = distance;
+        for (axis, component) in corners.gradient.iter_mut().zip(gradient) {
+            axis[corner & 7] = component * scale.edge;
         }
     }
 }

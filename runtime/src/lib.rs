@@ -17,6 +17,8 @@ mod math;
 mod octree;
 pub mod sample;
 mod section;
+#[cfg(test)]
+mod tests;
 mod validate;
 
 pub use checksum::crc32c;

@@ -9,7 +9,7 @@
 /// 2.4e-10 and rounding). The last step adds a small correction, which is what makes 1 exact.
 #[inline]
 pub(crate) fn reciprocal_sqrt(x: f32) -> f32 {
-    let seed = 2.889_865_6 + x * (-4.849_578_6 + x * (4.646_499 + x * -1.689_681_2));
+    let seed = 2.889_865_6 - x * (4.849_578_6 - x * (4.646_499 - x * 1.689_681_2));
     let half = 0.5 * x;
 
     let coarse = seed * (1.5 - half * (seed * seed));

@@ -10,22 +10,20 @@ use crate::math;
 ///
 /// The six axis directions are exact; any other length is 1 within 3e-7. Octahedral mapping: Meyer,
 /// Süßmuth, Sußner, Stamminger and Greiner 2010, "On floating-point normal vectors".
-pub fn decode_gradient(code: u32) -> [f32; 3] {
-    decode_gradients([code]).map(|[component]| component)
-}
-
-/// [`decode_gradient`] of `N` codes, a component at a time so that a compiler can use vectors.
 #[inline]
-pub(crate) fn decode_gradients<const N: usize>(codes: [u32; N]) -> [[f32; N]; 3] {
-    let x = codes.map(octahedral_coordinate);
-    let y = codes.map(|code| octahedral_coordinate(code >> packed::GRADIENT_BITS));
+pub fn decode_gradient(code: u32) -> [f32; 3] {
+    let x = octahedral_coordinate(code);
+    let y = octahedral_coordinate(code >> packed::GRADIENT_BITS);
 
-    let mut gradients = [x, y, [0.0; N]];
-    let [xs, ys, zs] = &mut gradients;
-    for ((x, y), z) in xs.iter_mut().zip(ys).zip(zs) {
-        [*x, *y, *z] = octahedral_direction(*x, *y);
-    }
-    gradients
+    // The lower half of the octahedron is folded over the edges of the square.
+    let z = 1.0 - x.abs() - y.abs();
+    let fold = if z < 0.0 { -z } else { 0.0 };
+    let x = x - fold.copysign(x);
+    let y = y - fold.copysign(y);
+
+    // From the octahedron onto the sphere.
+    let reciprocal = math::reciprocal_sqrt(x * x + y * y + z * z);
+    [x * reciprocal, y * reciprocal, z * reciprocal]
 }
 
 /// The low ten bits of `code` as a coordinate: -1 at code 0, exactly 0 at 511, 1 at 1022.
@@ -34,20 +32,6 @@ fn octahedral_coordinate(code: u32) -> f32 {
     const STEP: f32 = 1.0 / packed::GRADIENT_CENTRE as f32;
     let code = code & ((1 << packed::GRADIENT_BITS) - 1);
     (code as i32 - packed::GRADIENT_CENTRE as i32) as f32 * STEP
-}
-
-/// Unfolds a point of the square onto the octahedron and pushes it onto the sphere.
-#[inline]
-fn octahedral_direction(x: f32, y: f32) -> [f32; 3] {
-    let z = 1.0 - x.abs() - y.abs();
-
-    // The lower half is folded over the edges of the square.
-    let fold = if z < 0.0 { -z } else { 0.0 };
-    let x = x - fold.copysign(x);
-    let y = y - fold.copysign(y);
-
-    let reciprocal = math::reciprocal_sqrt(x * x + y * y + z * z);
-    [x * reciprocal, y * reciprocal, z * reciprocal]
 }
 
 /// Exact value of an IEEE 754 half float; 0 for an infinity or a NaN.

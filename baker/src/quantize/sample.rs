@@ -34,12 +34,12 @@ pub fn encode_gradient(gradient: DVec3) -> u32 {
         let y = (below(y) + up).min(packed::GRADIENT_MAX);
         x | y << packed::GRADIENT_BITS
     });
-    let error = |code: &u32| {
-        let decoded = Vec3::from_array(decode_gradient(*code)).as_dvec3();
-        decoded.distance_squared(direction)
-    };
-    let nearest = candidates.into_iter().min_by(|a, b| error(a).total_cmp(&error(b)));
-    nearest.unwrap_or_default()
+    let with_error = candidates.map(|code| {
+        let decoded = Vec3::from_array(decode_gradient(code)).as_dvec3();
+        (decoded.distance_squared(direction), code)
+    });
+    let nearest = with_error.into_iter().min_by(|(a, _), (b, _)| a.total_cmp(b));
+    nearest.map_or(0, |(_, code)| code)
 }
 
 /// The half float nearest to `value`, ties to even; the largest finite one beyond its range, and 0
@@ -52,6 +52,8 @@ pub fn encode_half(value: f64) -> u16 {
 
 #[cfg(test)]
 mod tests {
+    use nearfield::sample::decode_half;
+
     use super::*;
 
     /// Points that cover the sphere evenly: a spiral by the golden angle.
@@ -122,6 +124,17 @@ mod tests {
         let cases = [DVec3::ZERO, DVec3::splat(nan), DVec3::new(1.0, nan, 0.0), DVec3::INFINITY];
         for gradient in cases {
             assert_eq!(decoded(encode_gradient(gradient)), DVec3::Z, "{gradient}");
+        }
+    }
+
+    #[test]
+    fn the_reader_decodes_every_half() {
+        for bits in 0..=u16::MAX {
+            let half = f16::from_bits(bits);
+            let expected = if half.is_finite() { half.to_f32_const() } else { 0.0 };
+            let decoded = decode_half(bits);
+            assert_eq!(decoded.abs().to_bits(), expected.abs().to_bits(), "{bits:#06x}");
+            assert_eq!(decoded, expected, "{bits:#06x}");
         }
     }
 
