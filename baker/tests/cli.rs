@@ -344,6 +344,9 @@ fn usage_errors_end_with_2() {
     bench.run("slice cube.nfd -o s.png --resolution 0").fails(2, &["--resolution"]);
     bench.run("slice cube.nfd -o s.png --at nowhere").fails(2, &["--at"]);
     bench.run("verify cube.nfd --mesh cube.obj --samples 10").fails(2, &["--samples"]);
+    bench.run("bake cube.obj -o ./cube.obj").fails(2, &["overwrite"]);
+    bench.run("bake cube.obj -o out --report out").fails(2, &["same place"]);
+    bench.run("slice cube.nfd -o cube.nfd").fails(2, &["overwrite"]);
     bench.run("frobnicate").fails(2, &["frobnicate"]);
 
     assert_eq!(bench.files(), ["cube.nfd", "cube.obj"], "no file is made");

@@ -115,8 +115,11 @@ enum Precision {
 impl Bake {
     pub(super) fn run(self) -> Result<(), Failure> {
         let settings = self.settings()?;
+        if self.report.as_ref() == Some(&self.output) {
+            return Err(Failure::Usage("the field and the report cannot go to the same place".to_owned()));
+        }
         for path in [Some(&self.output), self.report.as_ref()].into_iter().flatten() {
-            files::check_writable(path)?;
+            files::check_output(path, &self.mesh)?;
         }
 
         // Mesh to field.

@@ -44,12 +44,23 @@ pub(super) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     outcome.map_err(|error| not_written(path, &error))
 }
 
-/// Refuses a place that cannot be written, before work is spent on what should go there.
-pub(super) fn check_writable(path: &Path) -> Result<(), Failure> {
+/// Refuses a place that cannot be written, or that is `input` itself, before work is spent on what should go there.
+pub(super) fn check_output(path: &Path, input: &Path) -> Result<(), Failure> {
     if is_standard_stream(path) {
         return Ok(());
     }
+    if same_file(path, input) {
+        return Err(Failure::Usage(format!(
+            "{} would overwrite what it is made from: choose another place",
+            path.display()
+        )));
+    }
     output::check_writable(path).map_err(|error| not_written(path, &error))
+}
+
+/// Whether both paths lead to one file that exists.
+fn same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// The failure to write `path`.

@@ -58,6 +58,7 @@ impl Query {
         }
         let bytes = files::read_bytes(&self.field)?;
         let field = files::open_field(&bytes, &self.field)?;
+        files::check_output(&self.output, &self.field)?;
 
         self.threads.run(|| {
             if to_stdout {

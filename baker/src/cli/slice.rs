@@ -55,7 +55,7 @@ impl SliceCommand {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
         let field = files::open_field(&bytes, &self.field)?;
-        files::check_writable(&self.output)?;
+        files::check_output(&self.output, &self.field)?;
 
         let image = picture::slice(
             &field,
