@@ -33,26 +33,27 @@ pub struct Stage {
 }
 
 /// Times the stages of a bake and announces them.
-pub(crate) struct Stopwatch<'a> {
+pub struct Stopwatch<'a> {
     progress: &'a dyn Progress,
     running: Option<(&'static str, Instant, ProcessTime)>,
     stages: Vec<Stage>,
 }
 
 impl<'a> Stopwatch<'a> {
-    pub(crate) fn start(progress: &'a dyn Progress) -> Self {
+    /// Starts before the first stage.
+    pub fn start(progress: &'a dyn Progress) -> Self {
         Self { progress, running: None, stages: Vec::new() }
     }
 
     /// Ends the stage that runs, if any, and begins the next.
-    pub(crate) fn stage(&mut self, name: &'static str) {
+    pub fn stage(&mut self, name: &'static str) {
         self.end();
         self.progress.stage(name, None);
         self.running = Some((name, Instant::now(), ProcessTime::now()));
     }
 
     /// Ends the last stage and gives all of them.
-    pub(crate) fn stop(mut self) -> Vec<Stage> {
+    pub fn stop(mut self) -> Vec<Stage> {
         self.end();
         self.stages
     }

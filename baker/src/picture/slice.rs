@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// Axis that a slice is perpendicular to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// The picture shows y to the right and z up.
+    /// The picture shows z to the right and y up.
     X,
     /// The picture shows x to the right and z up.
     Y,
@@ -39,7 +39,7 @@ pub struct Slice {
 }
 
 /// About as many isolines between the surface and the farthest point of the picture.
-const ISOLINES: f64 = 12.0;
+const ISOLINES: f64 = 20.0;
 
 /// Draws a slice: colours by distance, grey isolines at round distances, the surface black.
 pub fn slice(field: &Field<'_>, request: &Slice) -> Image {
@@ -96,7 +96,7 @@ impl Plane {
         let bounds = field.header().bounds;
         let (min, max) = (bounds.min.map(f64::from), bounds.max.map(f64::from));
         let (axis, right, up) = match request.axis {
-            Axis::X => (0, 1, 2),
+            Axis::X => (0, 2, 1),
             Axis::Y => (1, 0, 2),
             Axis::Z => (2, 0, 1),
         };

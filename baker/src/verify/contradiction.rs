@@ -63,3 +63,79 @@ fn worse(figure: &'static str, measured: f64, stored: f32, allowance: f64) -> Op
     let stored = f64::from(stored);
     (measured > stored * allowance).then_some(Contradiction { figure, measured, stored })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field_function::Sample;
+    use crate::verify::SeamStatistics;
+    use glam::DVec3;
+
+    /// Errors of 0.001, 0.002, … 1, in mesh units.
+    fn measurement() -> Measurement {
+        let answers: Vec<(f32, [f32; 3])> = (1..=1000).map(|step| (step as f32 / 1000.0, [1.0, 0.0, 0.0])).collect();
+        let truth = vec![Sample { distance: 0.0, gradient: DVec3::X }; answers.len()];
+        let errors = ErrorDistribution::of(&answers, &truth);
+        Measurement {
+            uniform: errors.clone(),
+            band: errors,
+            seams: SeamStatistics { max: 0.5, ..SeamStatistics::default() },
+            samples: 1000,
+            doubtful_signs: 0,
+        }
+    }
+
+    #[test]
+    fn a_measurement_keeps_its_own_contract() {
+        let contract = measurement().contract();
+
+        assert_eq!(exceeds(&contract, &measurement()), None);
+        assert_eq!(refutes(&contract, &measurement()), None);
+    }
+
+    #[test]
+    fn every_figure_can_be_exceeded() {
+        let lowered: [(&str, fn(&mut ErrorContract)); 7] = [
+            ("uniform RMSE", |contract| contract.uniform.rmse *= 0.99),
+            ("uniform 99 % quantile", |contract| contract.uniform.p99 *= 0.99),
+            ("uniform maximum", |contract| contract.uniform.max *= 0.99),
+            ("band RMSE", |contract| contract.band.rmse *= 0.99),
+            ("band 99 % quantile", |contract| contract.band.p99 *= 0.99),
+            ("band maximum", |contract| contract.band.max *= 0.99),
+            ("largest seam", |contract| contract.seam_max *= 0.99),
+        ];
+        for (figure, lower) in lowered {
+            let mut contract = measurement().contract();
+            lower(&mut contract);
+            assert_eq!(exceeds(&contract, &measurement()).map(|found| found.figure), Some(figure));
+        }
+    }
+
+    #[test]
+    fn fresh_points_refute_what_chance_does_not_explain() {
+        let explained: [fn(&mut ErrorContract); 3] = [
+            |contract| contract.uniform.rmse /= 1.2,
+            |contract| contract.band.p99 = 0.981,
+            |contract| contract.band.max = 0.9995,
+        ];
+        for lower in explained {
+            let mut contract = measurement().contract();
+            lower(&mut contract);
+            assert_eq!(refutes(&contract, &measurement()), None);
+        }
+
+        let refuted: [(&str, fn(&mut ErrorContract)); 6] = [
+            ("uniform RMSE", |contract| contract.uniform.rmse /= 1.3),
+            ("uniform 98 % quantile", |contract| contract.uniform.p99 = 0.979),
+            ("uniform 99.9 % quantile", |contract| contract.uniform.max = 0.998),
+            ("band RMSE", |contract| contract.band.rmse /= 1.3),
+            ("band 98 % quantile", |contract| contract.band.p99 = 0.979),
+            ("band 99.9 % quantile", |contract| contract.band.max = 0.998),
+        ];
+        for (figure, lower) in refuted {
+            let mut contract = measurement().contract();
+            lower(&mut contract);
+            assert_eq!(refutes(&contract, &measurement()).map(|found| found.figure), Some(figure));
+        }
+    }
+}
