@@ -86,7 +86,12 @@ fn measured(interpolant: Interpolant, continuity: Continuity, precision: Precisi
     let baked = bake(&shapes::read("bob_small.ply"), &settings, &Silent).expect("the mesh bakes");
     let field = Field::open(&baked.bytes).expect("a field");
     let jumps = jumps(&field.octree());
-    println!("{interpolant:?} {continuity:?} {precision:?} {jumps:?} stored {} q0 {} depth {}", field.contract().seam_max, field.octree().quantum(0), field.octree().depth());
+    println!(
+        "{interpolant:?} {continuity:?} {precision:?} {jumps:?} stored {} q0 {} depth {}",
+        field.contract().seam_max,
+        field.octree().quantum(0),
+        field.octree().depth()
+    );
     (jumps, field.contract().seam_max, field.octree().quantum(0))
 }
 
@@ -95,9 +100,13 @@ fn explore() {
     for i in [Interpolant::Trilinear, Interpolant::Tricubic] {
         for c in [Continuity::None, Continuity::C0, Continuity::C1] {
             for p in [Precision::Packed32, Precision::F16, Precision::F32] {
-                if i == Interpolant::Trilinear && c == Continuity::C1 { continue; }
+                if i == Interpolant::Trilinear && c == Continuity::C1 {
+                    continue;
+                }
                 let r = std::panic::catch_unwind(|| measured(i, c, p));
-                if r.is_err() { println!("{i:?} {c:?} {p:?} failed"); }
+                if r.is_err() {
+                    println!("{i:?} {c:?} {p:?} failed");
+                }
             }
         }
     }
