@@ -5,9 +5,7 @@ use core::ops::Range;
 /// `N` bytes from the start of `range`.
 fn array<const N: usize>(bytes: &[u8], range: Range<usize>) -> [u8; N] {
     let tail = bytes.get(range.start..);
-    tail.and_then(<[u8]>::first_chunk)
-        .copied()
-        .unwrap_or([0; N])
+    tail.and_then(<[u8]>::first_chunk).copied().unwrap_or([0; N])
 }
 
 pub(crate) fn u8_at(bytes: &[u8], at: usize) -> u8 {

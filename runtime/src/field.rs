@@ -121,13 +121,7 @@ impl<'a> Field<'a> {
             return (f32::NAN, [f32::NAN; 3]);
         }
         if point.iter().any(|component| component.is_infinite()) {
-            let toward = point.map(|x| {
-                if x.is_infinite() {
-                    1.0_f32.copysign(x)
-                } else {
-                    0.0
-                }
-            });
+            let toward = point.map(|x| if x.is_infinite() { 1.0_f32.copysign(x) } else { 0.0 });
             return (f32::INFINITY, math::length_and_direction(toward).1);
         }
 

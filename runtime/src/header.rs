@@ -3,9 +3,7 @@
 use crate::bytes::{bytes_at, f32_at, f32x3_at, u8_at, u16_at, u32_at};
 use crate::checksum::Crc32c;
 use crate::error::Error;
-use crate::layout::{
-    MAGIC, VERSION_MAJOR, VERSION_MINOR, family, header as at, limit, sign_method,
-};
+use crate::layout::{MAGIC, VERSION_MAJOR, VERSION_MINOR, family, header as at, limit, sign_method};
 use crate::section;
 
 /// An axis-aligned box. Mesh units, mesh frame, finite, `min < max` along every axis.
@@ -108,18 +106,12 @@ impl ErrorContract {
 pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
     // A file of another format or version is told apart before anything else is believed.
     if bytes.len() < MAGIC.len() || !bytes.starts_with(&MAGIC) {
-        return Err(if MAGIC.starts_with(bytes) {
-            Error::Truncated
-        } else {
-            Error::Magic
-        });
+        return Err(if MAGIC.starts_with(bytes) { Error::Truncated } else { Error::Magic });
     }
     if bytes.len() < at::LENGTH {
         return Err(Error::Truncated);
     }
-    if u16_at(bytes, at::VERSION_MAJOR) != VERSION_MAJOR
-        || u16_at(bytes, at::VERSION_MINOR) > VERSION_MINOR
-    {
+    if u16_at(bytes, at::VERSION_MAJOR) != VERSION_MAJOR || u16_at(bytes, at::VERSION_MINOR) > VERSION_MINOR {
         return Err(Error::Version);
     }
     if u32_at(bytes, at::FILE_LENGTH) as usize != bytes.len() {
@@ -145,12 +137,7 @@ pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
 fn checksum(header: &[u8], table: &[u8]) -> u32 {
     let before = header.get(..at::CHECKSUM.start).unwrap_or(&[]);
     let after = header.get(at::CHECKSUM.end..).unwrap_or(&[]);
-    Crc32c::new()
-        .update(before)
-        .update(&[0; 4])
-        .update(after)
-        .update(table)
-        .finish()
+    Crc32c::new().update(before).update(&[0; 4]).update(after).update(table).finish()
 }
 
 fn check_quantities(bytes: &[u8]) -> Result<(), Error> {
@@ -161,33 +148,16 @@ fn check_quantities(bytes: &[u8]) -> Result<(), Error> {
         return Err(Error::Bounds);
     }
 
-    let ErrorContract {
-        uniform,
-        band,
-        seam_max,
-        ..
-    } = contract_of(bytes);
+    let ErrorContract { uniform, band, seam_max, .. } = contract_of(bytes);
     let scalars = [at::DIAGONAL, at::TARGET_ERROR, at::LIPSCHITZ].map(|range| f32_at(bytes, range));
-    let errors = [
-        uniform.rmse,
-        uniform.p99,
-        uniform.max,
-        band.rmse,
-        band.p99,
-        band.max,
-        seam_max,
-    ];
+    let errors = [uniform.rmse, uniform.p99, uniform.max, band.rmse, band.p99, band.max, seam_max];
     let is_quantity = |value: &f32| (0.0..=limit::MAX_MAGNITUDE).contains(value);
     if !scalars.iter().chain(&errors).all(is_quantity) {
         return Err(Error::Quantity);
     }
 
     let consistent = |errors: ErrorStatistics| errors.rmse.max(errors.p99) <= errors.max;
-    if consistent(uniform) && consistent(band) {
-        Ok(())
-    } else {
-        Err(Error::Contract)
-    }
+    if consistent(uniform) && consistent(band) { Ok(()) } else { Err(Error::Contract) }
 }
 
 fn family_of(bytes: &[u8]) -> Result<Family, Error> {
@@ -207,31 +177,21 @@ fn sign_method_of(bytes: &[u8]) -> Result<SignMethod, Error> {
 }
 
 pub(crate) fn bounds_of(bytes: &[u8]) -> Aabb {
-    Aabb {
-        min: f32x3_at(bytes, at::BOX_MIN),
-        max: f32x3_at(bytes, at::BOX_MAX),
-    }
+    Aabb { min: f32x3_at(bytes, at::BOX_MIN), max: f32x3_at(bytes, at::BOX_MAX) }
 }
 
 /// The header of checked bytes.
 pub(crate) fn header_of(bytes: &[u8]) -> Header {
     let baker = u32_at(bytes, at::BAKER_VERSION);
     Header {
-        version: [
-            u16_at(bytes, at::VERSION_MAJOR),
-            u16_at(bytes, at::VERSION_MINOR),
-        ],
+        version: [u16_at(bytes, at::VERSION_MAJOR), u16_at(bytes, at::VERSION_MINOR)],
         family: family_of(bytes).unwrap_or(Family::Octree),
         sign_method: sign_method_of(bytes).unwrap_or(SignMethod::None),
         bounds: bounds_of(bytes),
         diagonal: f32_at(bytes, at::DIAGONAL),
         target_error: f32_at(bytes, at::TARGET_ERROR),
         lipschitz: f32_at(bytes, at::LIPSCHITZ),
-        baker_version: [
-            (baker >> 16) as u16,
-            (baker >> 8) as u16 & 255,
-            baker as u16 & 255,
-        ],
+        baker_version: [(baker >> 16) as u16, (baker >> 8) as u16 & 255, baker as u16 & 255],
         mesh_hash: bytes_at(bytes, at::MESH_HASH),
         settings_hash: bytes_at(bytes, at::SETTINGS_HASH),
     }

@@ -22,10 +22,7 @@ impl Weights {
     fn value(t: f32) -> Self {
         let rest = 1.0 - t;
         let end = t * t * (3.0 - 2.0 * t);
-        Self {
-            value: [1.0 - end, end],
-            slope: [t * (rest * rest), -(t * t) * rest],
-        }
+        Self { value: [1.0 - end, end], slope: [t * (rest * rest), -(t * t) * rest] }
     }
 
     /// Its derivative.
@@ -33,10 +30,7 @@ impl Weights {
     fn derivative(t: f32) -> Self {
         let end = 6.0 * t * (1.0 - t);
         let slope = [(1.0 - t) * (1.0 - 3.0 * t), t * (3.0 * t - 2.0)];
-        Self {
-            value: [-end, end],
-            slope,
-        }
+        Self { value: [-end, end], slope }
     }
 
     /// Weighted sum of the values and slopes at both ends.
@@ -116,19 +110,12 @@ impl Tricubic {
     /// Value and derivatives by local coordinates, mesh units. The value has the bits of
     /// [`value`](Self::value).
     #[inline]
-    pub(crate) fn value_and_derivatives(
-        &self,
-        mixed: Option<&Mixed>,
-        [x, y, z]: [f32; 3],
-    ) -> (f32, [f32; 3]) {
+    pub(crate) fn value_and_derivatives(&self, mixed: Option<&Mixed>, [x, y, z]: [f32; 3]) -> (f32, [f32; 3]) {
         let (y_weights, z_weights) = (Weights::value(y), Weights::value(z));
         let face = self.at_x(mixed, &Weights::value(x));
         let edge = face.at_y(&y_weights);
 
-        let by_x = self
-            .at_x(mixed, &Weights::derivative(x))
-            .at_y(&y_weights)
-            .at_z(&z_weights);
+        let by_x = self.at_x(mixed, &Weights::derivative(x)).at_y(&y_weights).at_z(&z_weights);
         let by_y = face.at_y(&Weights::derivative(y)).at_z(&z_weights);
         let by_z = edge.at_z(&Weights::derivative(z));
         (edge.at_z(&z_weights), [by_x, by_y, by_z])
@@ -177,10 +164,7 @@ pub(crate) fn trilinear(distance: &Corners, [x, y, z]: [f32; 3]) -> f32 {
 
 /// Trilinear value and derivatives by local coordinates, mesh units.
 #[inline]
-pub(crate) fn trilinear_and_derivatives(
-    distance: &Corners,
-    [x, y, z]: [f32; 3],
-) -> (f32, [f32; 3]) {
+pub(crate) fn trilinear_and_derivatives(distance: &Corners, [x, y, z]: [f32; 3]) -> (f32, [f32; 3]) {
     const DERIVATIVE: [f32; 2] = [-1.0, 1.0];
     let (x, y, z) = (linear(x), linear(y), linear(z));
     let by_x = trilinear_sum(distance, DERIVATIVE, y, z);

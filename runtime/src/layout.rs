@@ -249,13 +249,8 @@ pub mod packed_sample {
     pub const DISTANCE_SHIFT: u32 = 20;
 }
 
-const _: () = assert!(
-    header::LENGTH <= 128,
-    "design: a header of at most 128 bytes"
-);
+const _: () = assert!(header::LENGTH <= 128, "design: a header of at most 128 bytes");
 const _: () = assert!(header::LENGTH.is_multiple_of(4), "sections start on words");
 const _: () = assert!(octree::LENGTH.is_multiple_of(4), "sections are whole words");
-const _: () = assert!(
-    2 * packed_sample::GRADIENT_BITS + packed_sample::DISTANCE_BITS == 32,
-    "a first-order sample is 32 bits"
-);
+const _: () =
+    assert!(2 * packed_sample::GRADIENT_BITS + packed_sample::DISTANCE_BITS == 32, "a first-order sample is 32 bits");

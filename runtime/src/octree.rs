@@ -179,10 +179,7 @@ impl<'a> Octree<'a> {
 
     /// Words of the root grid: at most those of the node section.
     pub(crate) fn root_count(&self) -> usize {
-        self.root_cells
-            .iter()
-            .map(|&cells| cells as usize)
-            .product()
+        self.root_cells.iter().map(|&cells| cells as usize).product()
     }
 
     /// Whether a point lies in the box, faces included. False for a NaN.
@@ -191,12 +188,7 @@ impl<'a> Octree<'a> {
         let Aabb { min, max } = &self.bounds;
         let [x, y, z] = point;
         // Not short-circuited: one branch that is well predicted beats six.
-        (x >= min[0])
-            & (x <= max[0])
-            & (y >= min[1])
-            & (y <= max[1])
-            & (z >= min[2])
-            & (z <= max[2])
+        (x >= min[0]) & (x <= max[0]) & (y >= min[1]) & (y <= max[1]) & (z >= min[2]) & (z <= max[2])
     }
 
     /// The leaf that holds a point of the box, and where in the leaf the point is, 0 to 1.
@@ -220,10 +212,7 @@ impl<'a> Octree<'a> {
 
     /// The leaves, depth first.
     pub fn leaves(&self) -> Leaves<'a> {
-        Leaves {
-            octree: *self,
-            next: Some([0; 3]),
-        }
+        Leaves { octree: *self, next: Some([0; 3]) }
     }
 
     /// Least corner of the leaf that follows, found by counting up in octal digits of octants.
@@ -269,9 +258,7 @@ impl<'a> Octree<'a> {
         while word >> node::OFFSET_BITS == node::INNER && shift > 0 {
             shift -= 1;
             octant = (x >> shift & 1) | (y >> shift & 1) << 1 | (z >> shift & 1) << 2;
-            word = self
-                .nodes
-                .word((word & node::OFFSET_MASK) as usize + octant as usize);
+            word = self.nodes.word((word & node::OFFSET_MASK) as usize + octant as usize);
         }
 
         let align = u32::MAX << shift;

@@ -50,9 +50,7 @@ pub(crate) fn table_bytes(bytes: &[u8]) -> Result<&[u8], Error> {
 
 /// The sections of a file whose header names them.
 pub(crate) fn sections(bytes: &[u8]) -> Sections<'_> {
-    Sections {
-        entries: table_bytes(bytes).unwrap_or(&[]).as_chunks().0.iter(),
-    }
+    Sections { entries: table_bytes(bytes).unwrap_or(&[]).as_chunks().0.iter() }
 }
 
 /// Checks that whole words tile the rest of the file, and that no kind comes twice (SPEC.md §4).
@@ -62,43 +60,26 @@ pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
         if range.start != end || !range.len().is_multiple_of(4) {
             return Err(Error::SectionTable);
         }
-        if sections(bytes)
-            .take(index)
-            .any(|earlier| earlier.kind == kind)
-        {
+        if sections(bytes).take(index).any(|earlier| earlier.kind == kind) {
             return Err(Error::SectionDuplicate);
         }
         end = range.end;
     }
-    if end == bytes.len() {
-        Ok(())
-    } else {
-        Err(Error::SectionTable)
-    }
+    if end == bytes.len() { Ok(()) } else { Err(Error::SectionTable) }
 }
 
 /// The section of a kind.
 pub(crate) fn find(bytes: &[u8], kind: u32) -> Result<Section, Error> {
-    sections(bytes)
-        .find(|section| section.kind == kind)
-        .ok_or(Error::SectionMissing)
+    sections(bytes).find(|section| section.kind == kind).ok_or(Error::SectionMissing)
 }
 
 /// Bytes of the section of a kind.
 pub(crate) fn find_bytes(bytes: &[u8], kind: u32) -> Result<&[u8], Error> {
-    bytes
-        .get(find(bytes, kind)?.range)
-        .ok_or(Error::SectionTable)
+    bytes.get(find(bytes, kind)?.range).ok_or(Error::SectionTable)
 }
 
 /// Checks the checksum of a section (SPEC.md §4).
 pub(crate) fn check_sum(bytes: &[u8], section: &Section) -> Result<(), Error> {
-    let contents = bytes
-        .get(section.range.clone())
-        .ok_or(Error::SectionTable)?;
-    if crc32c(contents) == section.checksum {
-        Ok(())
-    } else {
-        Err(Error::SectionChecksum)
-    }
+    let contents = bytes.get(section.range.clone()).ok_or(Error::SectionTable)?;
+    if crc32c(contents) == section.checksum { Ok(()) } else { Err(Error::SectionChecksum) }
 }

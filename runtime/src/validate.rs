@@ -68,11 +68,7 @@ pub(crate) fn octree(octree: &Octree<'_>) -> Result<(), Error> {
     if next_block != octree.samples.len() {
         return Err(Error::BlockOrder);
     }
-    if leaf_count == octree.leaf_count() {
-        Ok(())
-    } else {
-        Err(Error::LeafCount)
-    }
+    if leaf_count == octree.leaf_count() { Ok(()) } else { Err(Error::LeafCount) }
 }
 
 /// Checks the block at a word of the sample section; returns its length in words.
@@ -105,11 +101,7 @@ fn check_block(octree: &Octree<'_>, at: usize, needed: u32) -> Result<usize, Err
         return Err(Error::Reserved);
     }
 
-    let length = if trilinear {
-        check_distances(&block)
-    } else {
-        check_samples(&block)
-    }?;
+    let length = if trilinear { check_distances(&block) } else { check_samples(&block) }?;
     Ok(block::HEADER_WORDS + length)
 }
 
@@ -140,11 +132,7 @@ fn check_samples(block: &Block<'_>) -> Result<usize, Error> {
         }
         let is_full = block.full >> bit & 1 == 1;
         let size = if is_full { full_stride } else { stride };
-        let words = block
-            .data
-            .tail(length)
-            .head(size)
-            .ok_or(Error::BlockOrder)?;
+        let words = block.data.tail(length).head(size).ok_or(Error::BlockOrder)?;
         match (block.precision, is_full) {
             (precision::PACKED32, false) => check_gradient_code(words.word(0))?,
             (precision::F32, _) => check_singles(words)?,
@@ -158,11 +146,7 @@ fn check_samples(block: &Block<'_>) -> Result<usize, Error> {
 fn check_gradient_code(word: u32) -> Result<(), Error> {
     let mask = (1 << packed::GRADIENT_BITS) - 1;
     let largest = (word & mask).max(word >> packed::GRADIENT_BITS & mask);
-    if largest <= packed::GRADIENT_MAX {
-        Ok(())
-    } else {
-        Err(Error::GradientCode)
-    }
+    if largest <= packed::GRADIENT_MAX { Ok(()) } else { Err(Error::GradientCode) }
 }
 
 /// Checks half floats, of which the first is a distance code.
@@ -178,12 +162,6 @@ fn check_halves(words: Words<'_>) -> Result<(), Error> {
 }
 
 fn check_singles(words: Words<'_>) -> Result<(), Error> {
-    let valid = words
-        .iter()
-        .all(|word| sample::is_sample(f32::from_bits(word)));
-    if valid {
-        Ok(())
-    } else {
-        Err(Error::SampleValue)
-    }
+    let valid = words.iter().all(|word| sample::is_sample(f32::from_bits(word)));
+    if valid { Ok(()) } else { Err(Error::SampleValue) }
 }

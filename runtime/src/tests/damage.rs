@@ -11,10 +11,7 @@ fn assert_finite(field: &Field<'_>, random: &mut Random) {
         let point = random.point().map(|unit| 12.0 * unit - 1.0);
         let (distance, gradient) = field.distance_and_gradient(point);
         assert!(distance.is_finite(), "{distance} at {point:?}");
-        assert!(
-            gradient.iter().all(|component| component.is_finite()),
-            "{gradient:?}"
-        );
+        assert!(gradient.iter().all(|component| component.is_finite()), "{gradient:?}");
         assert!(field.distance(point).is_finite());
     }
     for leaf in field.octree().leaves().take(100) {
@@ -30,24 +27,14 @@ fn rich() -> File {
     let mut nodes = std::vec![super::file::inner(2), super::file::inner(10)];
     for precision in [precision::PACKED32, precision::F16] {
         let start = samples.len();
-        let data: Vec<_> = (0..20 + 7 * 4)
-            .map(|_| random.packed_sample() & 0x3BFF_3BFF)
-            .collect();
-        let count = if precision == precision::F16 {
-            20 * 2 + 7 * 4
-        } else {
-            data.len()
-        };
+        let data: Vec<_> = (0..20 + 7 * 4).map(|_| random.packed_sample() & 0x3BFF_3BFF).collect();
+        let count = if precision == precision::F16 { 20 * 2 + 7 * 4 } else { data.len() };
         let data = data.into_iter().cycle().take(count);
         let words = super::file::block(block::LATTICE_MASK, 0o7007001, precision, 100, data);
         samples.extend(words);
         nodes.extend([super::file::leaf(start); 8]);
     }
-    File {
-        root_cells: [2, 1, 1],
-        nodes,
-        ..divided(samples)
-    }
+    File { root_cells: [2, 1, 1], nodes, ..divided(samples) }
 }
 
 #[test]
@@ -56,11 +43,7 @@ fn every_truncation_is_an_error() {
         let bytes = file.bytes();
         open(&bytes);
         for length in 0..bytes.len() {
-            assert!(
-                Field::open(&bytes[..length]).is_err(),
-                "{length} of {} bytes",
-                bytes.len()
-            );
+            assert!(Field::open(&bytes[..length]).is_err(), "{length} of {} bytes", bytes.len());
         }
         let longer = [&bytes[..], &[0]].concat();
         assert!(Field::open(&longer).is_err(), "a byte too many");
@@ -91,11 +74,7 @@ fn wild_words_under_right_checksums_are_harmless() {
             let mut wild = file.clone();
             wild.interpolant = (random.word() & 1) as u8;
             for _ in 0..1 + random.word() % 3 {
-                let words = if random.word() & 1 == 0 {
-                    &mut wild.nodes
-                } else {
-                    &mut wild.samples
-                };
+                let words = if random.word() & 1 == 0 { &mut wild.nodes } else { &mut wild.samples };
                 let at = random.word() as usize % words.len();
                 words[at] = match random.word() % 4 {
                     0 => random.word(),
@@ -139,11 +118,7 @@ fn wild_headers_under_right_checksums_are_harmless() {
 fn repair_checksums(bytes: &mut [u8]) {
     let entry = header::LENGTH;
     let word = |bytes: &[u8], at: usize| {
-        u32::from_le_bytes(
-            bytes[entry + at..entry + at + 4]
-                .try_into()
-                .expect("four bytes"),
-        ) as usize
+        u32::from_le_bytes(bytes[entry + at..entry + at + 4].try_into().expect("four bytes")) as usize
     };
     let start = word(bytes, section_entry::OFFSET.start);
     let end = start.saturating_add(word(bytes, section_entry::SECTION_LENGTH.start));

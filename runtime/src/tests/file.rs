@@ -3,8 +3,7 @@
 use std::vec::Vec;
 
 use crate::layout::{
-    MAGIC, VERSION_MAJOR, VERSION_MINOR, block, family, header, interpolant, node, octree, section,
-    section_entry,
+    MAGIC, VERSION_MAJOR, VERSION_MINOR, block, family, header, interpolant, node, octree, section, section_entry,
 };
 use crate::{Field, crc32c, sample};
 
@@ -38,10 +37,7 @@ impl File {
 
     /// The bytes, checksums and all.
     pub(super) fn bytes(&self) -> Vec<u8> {
-        let leaves = self
-            .nodes
-            .iter()
-            .filter(|&&word| word >> node::OFFSET_BITS == node::LEAF);
+        let leaves = self.nodes.iter().filter(|&&word| word >> node::OFFSET_BITS == node::LEAF);
         let mut parameters = [0; octree::LENGTH];
         let cells = self.root_cells.map(u16::to_le_bytes);
         parameters[octree::ROOT_CELLS].copy_from_slice(cells.as_flattened());
@@ -64,12 +60,8 @@ impl File {
             let entry = header::LENGTH + index * section_entry::LENGTH;
             let offset = bytes.len() as u32;
             let values = [*kind, offset, contents.len() as u32, crc32c(contents)];
-            let ranges = [
-                section_entry::KIND,
-                section_entry::OFFSET,
-                section_entry::SECTION_LENGTH,
-                section_entry::CHECKSUM,
-            ];
+            let ranges =
+                [section_entry::KIND, section_entry::OFFSET, section_entry::SECTION_LENGTH, section_entry::CHECKSUM];
             for (range, value) in ranges.into_iter().zip(values) {
                 bytes[entry..][range].copy_from_slice(&value.to_le_bytes());
             }
@@ -141,11 +133,7 @@ pub(super) fn block(
     base: i32,
     data: impl IntoIterator<Item = u32>,
 ) -> Vec<u32> {
-    let header = [
-        present | precision << block::PRECISION_SHIFT,
-        full,
-        base.cast_unsigned(),
-    ];
+    let header = [present | precision << block::PRECISION_SHIFT, full, base.cast_unsigned()];
     header.into_iter().chain(data).collect()
 }
 
@@ -162,10 +150,7 @@ pub(super) fn halves(values: &[f32]) -> Vec<u32> {
         let exact = (0..=u16::MAX).find(|&bits| sample::decode_half(bits) == *value);
         u32::from(exact.expect("the number is a half float"))
     };
-    values
-        .chunks(2)
-        .map(|pair| half(&pair[0]) | half(&pair[1]) << 16)
-        .collect()
+    values.chunks(2).map(|pair| half(&pair[0]) | half(&pair[1]) << 16).collect()
 }
 
 /// Numbers without pattern: xorshift (Marsaglia 2003).
@@ -214,13 +199,7 @@ pub(super) fn three_levels() -> File {
     let mut put_block = |present: u32| {
         let start = samples.len();
         let data = lattice(present).map(|_| random.packed_sample());
-        samples.extend(block(
-            present,
-            0,
-            crate::layout::precision::PACKED32,
-            -2000,
-            data,
-        ));
+        samples.extend(block(present, 0, crate::layout::precision::PACKED32, -2000, data));
         leaf(start)
     };
 
@@ -230,22 +209,8 @@ pub(super) fn three_levels() -> File {
     let fine = put_block(ALL);
     let mut nodes = std::vec![root_leaf, inner(3), inner(11)];
     nodes.extend([middle; 8]);
-    nodes.extend([
-        coarse,
-        coarse,
-        coarse,
-        inner(19),
-        coarse,
-        coarse,
-        coarse,
-        coarse,
-    ]);
+    nodes.extend([coarse, coarse, coarse, inner(19), coarse, coarse, coarse, coarse]);
     nodes.extend([fine; 8]);
 
-    File {
-        root_cells: [3, 1, 1],
-        depth: 2,
-        nodes,
-        ..File::one_leaf(interpolant::TRICUBIC, samples)
-    }
+    File { root_cells: [3, 1, 1], depth: 2, nodes, ..File::one_leaf(interpolant::TRICUBIC, samples) }
 }

@@ -13,29 +13,12 @@ fn leaves_come_in_order_and_tile_the_box() {
     assert_eq!(leaves.len(), octree.leaf_count() as usize);
 
     let cells: Vec<_> = leaves.iter().map(|leaf| leaf.cell).collect();
-    let eighth = [
-        [0, 0, 0],
-        [1, 0, 0],
-        [0, 1, 0],
-        [1, 1, 0],
-        [0, 0, 1],
-        [1, 0, 1],
-        [0, 1, 1],
-        [1; 3],
-    ];
+    let eighth = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [1; 3]];
     let mut expected = std::vec![[0, 0, 0]];
     expected.extend(eighth.map(|[x, y, z]| [4 + 2 * x, 2 * y, 2 * z]));
-    expected.extend(
-        eighth[..3]
-            .iter()
-            .map(|[x, y, z]| [8 + 2 * x, 2 * y, 2 * z]),
-    );
+    expected.extend(eighth[..3].iter().map(|[x, y, z]| [8 + 2 * x, 2 * y, 2 * z]));
     expected.extend(eighth.map(|[x, y, z]| [10 + x, 2 + y, z]));
-    expected.extend(
-        eighth[4..]
-            .iter()
-            .map(|[x, y, z]| [8 + 2 * x, 2 * y, 2 * z]),
-    );
+    expected.extend(eighth[4..].iter().map(|[x, y, z]| [8 + 2 * x, 2 * y, 2 * z]));
     assert_eq!(cells, expected);
 
     let volume: u32 = leaves.iter().map(|leaf| leaf.edge.pow(3)).sum();
@@ -46,11 +29,7 @@ fn leaves_come_in_order_and_tile_the_box() {
         assert_eq!(octree.leaf_at(leaf.cell), *leaf);
         assert_eq!(octree.leaf_at(last), *leaf);
     }
-    assert_eq!(
-        octree.leaf_at([u32::MAX; 3]),
-        octree.leaf_at([11, 3, 3]),
-        "clamped"
-    );
+    assert_eq!(octree.leaf_at([u32::MAX; 3]), octree.leaf_at([11, 3, 3]), "clamped");
 }
 
 #[test]
@@ -65,11 +44,7 @@ fn a_point_on_a_face_belongs_to_the_greater_leaf() {
 
     let greatest = octree.bounds().max;
     let (leaf, local) = octree.locate(greatest);
-    assert_eq!(
-        (leaf.cell, local),
-        ([10, 2, 2], [1.0; 3]),
-        "the box holds its greatest corner"
-    );
+    assert_eq!((leaf.cell, local), ([10, 2, 2], [1.0; 3]), "the box holds its greatest corner");
 }
 
 #[test]
@@ -93,8 +68,7 @@ fn local_coordinates_stay_within_the_leaf() {
         assert!(local.iter().all(|t| (0.0..=1.0).contains(t)), "{local:?}");
         let edge = octree.edge(octree.depth());
         for axis in 0..3 {
-            let there =
-                bounds.min[axis] + edge * (leaf.cell[axis] as f32 + local[axis] * leaf.edge as f32);
+            let there = bounds.min[axis] + edge * (leaf.cell[axis] as f32 + local[axis] * leaf.edge as f32);
             assert!((there - point[axis]).abs() < 2e-5, "{there} {point:?}");
         }
     }
@@ -105,30 +79,18 @@ fn batches_answer_as_single_points_do() {
     let bytes = three_levels().bytes();
     let field = open(&bytes);
     let mut random = Random::new(4);
-    let points: Vec<_> = (0..100)
-        .map(|_| random.point().map(|unit| 9.0 * unit))
-        .collect();
+    let points: Vec<_> = (0..100).map(|_| random.point().map(|unit| 9.0 * unit)).collect();
     let (mut distances, mut gradients) = ([9.0; 70], [[9.0; 3]; 60]);
 
     assert_eq!(field.distances(&points[..50], &mut distances), 50);
-    assert_eq!(
-        distances[50], 9.0,
-        "nothing beyond the shorter slice is written"
-    );
+    assert_eq!(distances[50], 9.0, "nothing beyond the shorter slice is written");
     assert_eq!(field.distances(&points, &mut distances), 70);
-    assert_eq!(
-        field.distances_and_gradients(&points, &mut distances, &mut gradients),
-        60
-    );
+    assert_eq!(field.distances_and_gradients(&points, &mut distances, &mut gradients), 60);
     for (index, &point) in points[..60].iter().enumerate() {
         let answer = (distances[index], gradients[index]);
         assert_eq!(answer, field.distance_and_gradient(point));
     }
-    assert_eq!(
-        distances[60],
-        field.distance(points[60]),
-        "from the call before"
-    );
+    assert_eq!(distances[60], field.distance(points[60]), "from the call before");
 }
 
 #[test]

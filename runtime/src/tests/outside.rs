@@ -14,8 +14,7 @@ fn outside_adds_the_distance_to_the_box() {
     assert_eq!(gradient, [1.0, 0.0, 0.0]);
 
     let corner = bounds.min;
-    let (distance, gradient) =
-        field.distance_and_gradient([corner[0] - 3.0, corner[1] - 4.0, corner[2]]);
+    let (distance, gradient) = field.distance_and_gradient([corner[0] - 3.0, corner[1] - 4.0, corner[2]]);
     assert!((distance - (field.distance(corner) + 5.0)).abs() < 4e-6);
     assert!((gradient[0] + 0.6).abs() < 1e-6 && (gradient[1] + 0.8).abs() < 1e-6);
     assert_eq!(gradient[2], 0.0);
@@ -27,9 +26,7 @@ fn outside_adds_the_distance_to_the_box() {
         assert_eq!(distance.to_bits(), field.distance(point).to_bits());
         if !field.octree().contains(point) {
             let nearest = [0, 1, 2].map(|i| point[i].clamp(bounds.min[i], bounds.max[i]));
-            let away: f64 = (0..3)
-                .map(|i| f64::from(point[i] - nearest[i]).powi(2))
-                .sum();
+            let away: f64 = (0..3).map(|i| f64::from(point[i] - nearest[i]).powi(2)).sum();
             let expected = f64::from(field.distance(nearest)) + away.sqrt();
             assert!((f64::from(distance) - expected).abs() < 4e-7 * away.sqrt() + 2e-6);
         }
@@ -40,37 +37,19 @@ fn outside_adds_the_distance_to_the_box() {
 fn every_finite_point_has_a_finite_answer() {
     let bytes = three_levels().bytes();
     let field = open(&bytes);
-    let extremes = [
-        0.0,
-        -0.0,
-        1e-45,
-        -1e-38,
-        1.0,
-        3.5,
-        -7.0,
-        1e19,
-        -1e30,
-        f32::MAX,
-        f32::MIN,
-    ];
+    let extremes = [0.0, -0.0, 1e-45, -1e-38, 1.0, 3.5, -7.0, 1e19, -1e30, f32::MAX, f32::MIN];
     for x in extremes {
         for y in extremes {
             for z in extremes {
                 let (distance, gradient) = field.distance_and_gradient([x, y, z]);
                 assert!(distance.is_finite(), "{x} {y} {z}");
-                assert!(
-                    gradient.iter().all(|component| component.is_finite()),
-                    "{x} {y} {z}"
-                );
+                assert!(gradient.iter().all(|component| component.is_finite()), "{x} {y} {z}");
             }
         }
     }
     let far = field.distance([f32::MAX; 3]);
     assert_eq!(far, f32::MAX, "saturated");
-    assert_eq!(
-        field.distance_and_gradient([f32::MAX, 2.5, 3.25]).1,
-        [1.0, 0.0, 0.0]
-    );
+    assert_eq!(field.distance_and_gradient([f32::MAX, 2.5, 3.25]).1, [1.0, 0.0, 0.0]);
 }
 
 #[test]

@@ -25,10 +25,7 @@ impl Cubic {
         };
         let term = |(index, coefficient): (usize, &f64)| {
             let exponents = [index % 4, index / 4 % 4, index / 16];
-            (0..3)
-                .map(|axis| power(orders[axis], exponents[axis], point[axis]))
-                .product::<f64>()
-                * coefficient
+            (0..3).map(|axis| power(orders[axis], exponents[axis], point[axis])).product::<f64>() * coefficient
         };
         self.0.iter().enumerate().map(term).sum()
     }
@@ -55,11 +52,7 @@ fn single_precision(cubic: &Cubic, present: u32, full: u32, edge: f64) -> Vec<u3
     let full_points: Vec<_> = lattice(full).collect();
     let data = lattice(present).flat_map(|point| {
         let count = if full_points.contains(&point) { 8 } else { 4 };
-        cubic
-            .sample(point, edge)
-            .into_iter()
-            .take(count)
-            .map(|value| (value as f32).to_bits())
+        cubic.sample(point, edge).into_iter().take(count).map(|value| (value as f32).to_bits())
     });
     block(present, full, precision::F32, 0, data)
 }
@@ -74,25 +67,15 @@ fn one_leaf_reproduces_a_cubic() {
     let mut random = Random::new(2);
     for _ in 0..1000 {
         let local = random.point();
-        let point = [
-            1.0 + 2.0 * local[0],
-            2.0 + 2.0 * local[1],
-            3.0 + 2.0 * local[2],
-        ];
+        let point = [1.0 + 2.0 * local[0], 2.0 + 2.0 * local[1], 3.0 + 2.0 * local[2]];
         // What rounding left of the local coordinates.
         let exact = [0, 1, 2].map(|i| f64::from(point[i] - [1.0, 2.0, 3.0][i]) / 2.0);
         let (distance, gradient) = field.distance_and_gradient(point);
         let expected = cubic.derivative([0, 0, 0], exact);
-        assert!(
-            (f64::from(distance) - expected).abs() < 4e-6,
-            "{distance} {expected}"
-        );
+        assert!((f64::from(distance) - expected).abs() < 4e-6, "{distance} {expected}");
         for (axis, orders) in [[1, 0, 0], [0, 1, 0], [0, 0, 1]].into_iter().enumerate() {
             let expected = cubic.derivative(orders, exact) / 2.0;
-            assert!(
-                (f64::from(gradient[axis]) - expected).abs() < 2e-5,
-                "axis {axis}"
-            );
+            assert!((f64::from(gradient[axis]) - expected).abs() < 2e-5, "axis {axis}");
         }
     }
 }
@@ -111,10 +94,7 @@ fn eight_leaves_reproduce_a_cubic_from_one_block() {
         let expected = cubic.derivative([0, 0, 0], point.map(f64::from));
         let distance = field.distance([1.0 + point[0], 2.0 + point[1], 3.0 + point[2]]);
         let tolerance = 2.0 * f64::from(f32::EPSILON) * largest;
-        assert!(
-            (f64::from(distance) - expected).abs() < tolerance,
-            "{distance} {expected}"
-        );
+        assert!((f64::from(distance) - expected).abs() < tolerance, "{distance} {expected}");
     }
 }
 
@@ -127,19 +107,12 @@ fn full_samples_shift_what_follows_them() {
     let field = open(&bytes);
     for point in lattice(ALL) {
         let expected = cubic.sample(point, 1.0);
-        let at = [
-            1.0 + point[0] as f32,
-            2.0 + point[1] as f32,
-            3.0 + point[2] as f32,
-        ];
+        let at = [1.0 + point[0] as f32, 2.0 + point[1] as f32, 3.0 + point[2] as f32];
         let (distance, gradient) = field.distance_and_gradient(at);
         assert_eq!(distance, expected[0] as f32, "{point:?}");
         for axis in 0..3 {
             let error = f64::from(gradient[axis]) - expected[1 + axis];
-            assert!(
-                error.abs() < 1e-5 * (1.0 + expected[0].abs()),
-                "{point:?} axis {axis}"
-            );
+            assert!(error.abs() < 1e-5 * (1.0 + expected[0].abs()), "{point:?} axis {axis}");
         }
     }
 
@@ -150,16 +123,9 @@ fn full_samples_shift_what_follows_them() {
     let twist = |bit: usize| {
         let [.., xy, xz, yz, xyz] = cubic.sample(lattice(ALL).nth(bit).expect("a sample"), 1.0);
         // At the middle every slope weighs 1/8, and with the opposite sign at the far end.
-        if bit == 13 {
-            (xy + xz + yz) / 128.0 + xyz / 512.0
-        } else {
-            (xy + xz + yz) / 128.0 - xyz / 512.0
-        }
+        if bit == 13 { (xy + xz + yz) / 128.0 + xyz / 512.0 } else { (xy + xz + yz) / 128.0 - xyz / 512.0 }
     };
-    assert!(
-        (f64::from(difference) - twist(13) - twist(26)).abs() < 1e-5,
-        "{difference}"
-    );
+    assert!((f64::from(difference) - twist(13) - twist(26)).abs() < 1e-5, "{difference}");
 }
 
 #[test]
@@ -169,18 +135,10 @@ fn packed_corners_are_exact() {
     let bytes = divided(block(ALL, 0, precision::PACKED32, -1000, words.clone())).bytes();
     let field = open(&bytes);
     for (point, word) in lattice(ALL).zip(words) {
-        let at = [
-            1.0 + point[0] as f32,
-            2.0 + point[1] as f32,
-            3.0 + point[2] as f32,
-        ];
+        let at = [1.0 + point[0] as f32, 2.0 + point[1] as f32, 3.0 + point[2] as f32];
         let (distance, gradient) = field.distance_and_gradient(at);
         let quantum = 1.0 / 128.0;
-        assert_eq!(
-            distance,
-            ((word >> 20) as i32 - 1000) as f32 * quantum,
-            "{point:?}"
-        );
+        assert_eq!(distance, ((word >> 20) as i32 - 1000) as f32 * quantum, "{point:?}");
         assert_eq!(distance, field.distance(at), "{point:?}");
         // The derivative's distances cancel: they are up to 3096 quanta.
         for (got, expected) in gradient.into_iter().zip(decode_gradient(word)) {
@@ -211,19 +169,10 @@ fn precisions_agree_on_numbers_that_all_can_hold() {
         words[0] |= code16;
         words.truncate(if is_full { 4 } else { 2 });
         half.extend(&words);
-        packed.extend(if is_full {
-            words
-        } else {
-            [code | distance << 20].into()
-        });
+        packed.extend(if is_full { words } else { [code | distance << 20].into() });
 
         let value = (distance as f32 - 300.0) / 64.0;
-        let values = [
-            &[value][..],
-            &gradient,
-            &mixed[..if is_full { 4 } else { 0 }],
-        ]
-        .concat();
+        let values = [&[value][..], &gradient, &mixed[..if is_full { 4 } else { 0 }]].concat();
         single.extend(values.into_iter().map(f32::to_bits));
     }
 
@@ -248,13 +197,7 @@ fn precisions_agree_on_numbers_that_all_can_hold() {
 fn both_sides_of_a_face_agree_to_the_bit() {
     let mut random = Random::new(8);
     let full = random.word() & ALL;
-    let packed = block(
-        ALL,
-        0,
-        precision::PACKED32,
-        5,
-        (0..27).map(|_| random.packed_sample()),
-    );
+    let packed = block(ALL, 0, precision::PACKED32, 5, (0..27).map(|_| random.packed_sample()));
     let cubic = Cubic::random(9);
     let mixed = single_precision(&cubic, ALL, full, 1.0);
 
@@ -292,10 +235,6 @@ fn the_value_does_not_depend_on_asking_for_the_gradient() {
         let [x, y, z] = random.point();
         let point = [8.0 * x, 4.0 * y, 6.0 * z];
         let (distance, _) = field.distance_and_gradient(point);
-        assert_eq!(
-            distance.to_bits(),
-            field.distance(point).to_bits(),
-            "{point:?}"
-        );
+        assert_eq!(distance.to_bits(), field.distance(point).to_bits(), "{point:?}");
     }
 }

@@ -19,12 +19,7 @@ fn one_leaf_reproduces_a_trilinear_function() {
         assert!((f64::from(distance) - function([x, y, z])).abs() < 1e-6);
         assert_eq!(distance.to_bits(), field.distance(point).to_bits());
 
-        let expected = [
-            -1.0 - 4.0 * y * z,
-            2.0 - 4.0 * x * z + z,
-            3.0 - 4.0 * x * y + y,
-        ]
-        .map(|d| d / 2.0);
+        let expected = [-1.0 - 4.0 * y * z, 2.0 - 4.0 * x * z + z, 3.0 - 4.0 * x * y + y].map(|d| d / 2.0);
         for (got, expected) in gradient.into_iter().zip(expected) {
             assert!((f64::from(got) - expected).abs() < 2e-6, "{got} {expected}");
         }
@@ -35,19 +30,13 @@ fn one_leaf_reproduces_a_trilinear_function() {
 fn codes_of_sixteen_bits_share_words() {
     // An odd number of samples, so that the last word is half empty.
     let codes: Vec<u32> = (0..27).map(|rank| 2417 * rank).collect();
-    let words = codes
-        .chunks(2)
-        .map(|pair| pair[0] | pair.get(1).unwrap_or(&0) << 16);
+    let words = codes.chunks(2).map(|pair| pair[0] | pair.get(1).unwrap_or(&0) << 16);
     let mut file = divided(block(ALL, 0, precision::PACKED32, -70, words));
     file.interpolant = interpolant::TRILINEAR;
     let bytes = file.bytes();
     let field = open(&bytes);
     for (point, code) in lattice(ALL).zip(codes) {
-        let at = [
-            1.0 + point[0] as f32,
-            2.0 + point[1] as f32,
-            3.0 + point[2] as f32,
-        ];
+        let at = [1.0 + point[0] as f32, 2.0 + point[1] as f32, 3.0 + point[2] as f32];
         let expected = (-70.0 * 16.0 + code as f32) / 2048.0;
         assert_eq!(field.distance(at), expected, "{point:?}");
     }
