@@ -27,7 +27,8 @@ impl<'a> Block<'a> {
         Self {
             present: header[block::PRESENT_WORD] & block::LATTICE_MASK,
             full: header[block::FULL_WORD] & block::LATTICE_MASK,
-            precision: header[block::PRESENT_WORD] >> block::PRECISION_SHIFT & block::PRECISION_MASK,
+            precision: header[block::PRESENT_WORD] >> block::PRECISION_SHIFT
+                & block::PRECISION_MASK,
             base: header[block::BASE_WORD].cast_signed(),
             data: words.tail(block::HEADER_WORDS),
         }
@@ -64,7 +65,9 @@ impl Octree<'_> {
     #[inline]
     pub(crate) fn value(&self, leaf: &Leaf, local: [f32; 3]) -> f32 {
         match self.interpolant() {
-            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| corners.value(mixed, local)),
+            Interpolant::Tricubic => {
+                self.tricubic(leaf, |corners, mixed| corners.value(mixed, local))
+            }
             Interpolant::Trilinear => hermite::trilinear(&self.distances(leaf), local),
         }
     }
@@ -76,8 +79,12 @@ impl Octree<'_> {
     #[inline]
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
-            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| corners.value_and_derivatives(mixed, local)),
-            Interpolant::Trilinear => hermite::trilinear_and_derivatives(&self.distances(leaf), local),
+            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| {
+                corners.value_and_derivatives(mixed, local)
+            }),
+            Interpolant::Trilinear => {
+                hermite::trilinear_and_derivatives(&self.distances(leaf), local)
+            }
         };
         let per_edge = 1.0 / self.edge(leaf.level);
         (value, derivatives.map(|derivative| derivative * per_edge))
@@ -90,7 +97,10 @@ impl Octree<'_> {
     #[inline]
     fn tricubic<T>(&self, leaf: &Leaf, evaluate: impl Fn(&Tricubic, Option<&Mixed>) -> T) -> T {
         let block = Block::at(self.samples, leaf.block);
-        let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
+        let scale = Scale {
+            quantum: self.quantum(leaf.level),
+            edge: self.edge(leaf.level),
+        };
         let first = lattice_bit(leaf.octant);
         let places = block.places(first);
 
@@ -170,7 +180,10 @@ impl Block<'_> {
 
     /// Corners of half floats or floats.
     fn wide_corners(&self, places: &Places, scale: Scale) -> Tricubic {
-        let mut corners = Tricubic { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
+        let mut corners = Tricubic {
+            distance: [0.0; 8],
+            gradient: [[0.0; 8]; 3],
+        };
         for (corner, &place) in places.iter().enumerate() {
             self.read_wide(corner, place, scale, &mut corners);
         }
@@ -178,7 +191,13 @@ impl Block<'_> {
     }
 
     /// Replaces the full corners, a bit each in `full`, and returns their mixed derivatives.
-    fn full_corners(&self, full: u32, places: &Places, scale: Scale, corners: &mut Tricubic) -> Mixed {
+    fn full_corners(
+        &self,
+        full: u32,
+        places: &Places,
+        scale: Scale,
+        corners: &mut Tricubic,
+    ) -> Mixed {
         let mut mixed = [Corners::default(); 4];
         for (corner, &place) in places.iter().enumerate() {
             let bit = (corner >> 2) + 3 * (corner >> 1 & 1) + 9 * (corner & 1);
