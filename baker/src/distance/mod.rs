@@ -1,16 +1,21 @@
 //! The exact signed distance to a mesh: closest triangle by a tree, sign by pseudonormals or
 //! winding numbers.
 
+mod bvh;
 mod bvh_build;
+mod bvh_fold;
 mod bvh_nearest;
 mod local_mesh;
+mod oriented_box;
 mod pseudonormal;
 pub mod triangle;
 mod winding;
 
 use crate::field_function::{FieldFunction, Sample};
+use crate::geometry::Aabb;
 use crate::mesh::{CheckedMesh, Topology};
-use bvh_nearest::{Bvh, Nearest, Scratch};
+use bvh::Bvh;
+use bvh_nearest::{Group, Nearest, Scratch, nearest};
 use glam::DVec3;
 use local_mesh::LocalMesh;
 use pseudonormal::Pseudonormals;
@@ -77,7 +82,10 @@ impl SignedDistance {
             "a mesh of fewer than 2^30 triangles"
         );
         let mesh = LocalMesh::new(mesh);
-        let bvh = bvh_build::build(&mesh);
+        let (mesh, bvh) = bvh_build::build(&mesh);
+        if std::env::var("STATS").is_ok() {
+            bvh_build::debug_stats(&bvh, mesh.triangles.len());
+        }
         let pseudonormals = Pseudonormals::new(&mesh);
         let winding = (method == SignMethod::Winding).then(|| WindingTree::new(&mesh, &bvh));
         Self {
@@ -88,20 +96,58 @@ impl SignedDistance {
         }
     }
 
-    /// Samples points one after the other: each starts from the answer of the one before.
+    /// Samples points one after the other, neighbours in groups that share a search.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
-        let (mut scratch, mut seed) = (Scratch::new(), None);
-        for (sample, &point) in samples.iter_mut().zip(points) {
-            (*sample, seed) = self.sample_seeded(point, seed, &mut scratch);
+        let (mut scratch, mut group) = (Scratch::new(), Group::new());
+        let mut radius = FIRST_RADIUS;
+        let mut seed = 0;
+        let mut start = 0;
+        let local: Vec<DVec3> = points
+            .iter()
+            .map(|&point| self.mesh.frame.to_local(point))
+            .collect();
+        while start < points.len() {
+            let (count, sphere) = leading_group(&local[start..], radius);
+            if count >= SMALLEST_GROUP {
+                let gathered = group.gather(
+                    &self.mesh,
+                    &self.bvh,
+                    sphere,
+                    seed,
+                    MOST_SHARED,
+                    &mut scratch,
+                );
+                match gathered {
+                    None => {
+                        radius = 0.5 * sphere.1;
+                        continue;
+                    }
+                    Some(shared) => {
+                        for k in start..start + count {
+                            let nearest =
+                                group.nearest(&self.mesh, local[k], &mut scratch).unwrap();
+                            seed = nearest.triangle;
+                            samples[k] = self.signed(local[k], nearest);
+                        }
+                        if shared < 24 {
+                            radius *= 1.5
+                        } else if shared > 64 {
+                            radius *= 0.75
+                        }
+                    }
+                }
+            } else {
+                for k in start..start + count {
+                    let nearest = nearest(&self.mesh, &self.bvh, local[k], seed, &mut scratch);
+                    seed = nearest.triangle;
+                    samples[k] = self.signed(local[k], nearest);
+                }
+            }
+            start += count;
         }
     }
 
-    fn sample_seeded(
-        &self,
-        point: DVec3,
-        seed: Option<u32>,
-        scratch: &mut Scratch,
-    ) -> (Sample, Option<u32>) {
+    fn sample_seeded(&self, point: DVec3, seed: u32, scratch: &mut Scratch) -> (Sample, u32) {
         let local = self.mesh.frame.to_local(point);
         if !local.is_finite() {
             return (
@@ -112,8 +158,8 @@ impl SignedDistance {
                 seed,
             );
         }
-        let nearest = self.bvh.nearest(&self.mesh, local, seed, scratch);
-        (self.signed(local, nearest), Some(nearest.triangle))
+        let nearest = nearest(&self.mesh, &self.bvh, local, seed, scratch);
+        (self.signed(local, nearest), nearest.triangle)
     }
 
     fn signed(&self, local: DVec3, Nearest { triangle, closest }: Nearest) -> Sample {
@@ -140,10 +186,31 @@ impl SignedDistance {
     }
 }
 
+fn leading_group(points: &[DVec3], radius: f64) -> (usize, (DVec3, f64)) {
+    let mut bounds = Aabb::EMPTY;
+    let mut count = 0;
+    for &point in points.iter().take(LARGEST_GROUP) {
+        let grown = Aabb {
+            min: bounds.min.min(point),
+            max: bounds.max.max(point),
+        };
+        if count > 0 && grown.diagonal() > 2.0 * radius {
+            break;
+        }
+        bounds = grown;
+        count += 1;
+    }
+    (count, (bounds.centre(), 0.5 * bounds.diagonal()))
+}
+const FIRST_RADIUS: f64 = 0.02;
+const SMALLEST_GROUP: usize = 3;
+const LARGEST_GROUP: usize = 64;
+const MOST_SHARED: usize = 160;
+
 impl FieldFunction for SignedDistance {
     /// NaN, with a zero gradient, for a point that is not finite.
     fn sample(&self, point: DVec3) -> Sample {
-        self.sample_seeded(point, None, &mut Scratch::new()).0
+        self.sample_seeded(point, 0, &mut Scratch::new()).0
     }
 
     fn sample_all(&self, points: &[DVec3]) -> Vec<Sample> {

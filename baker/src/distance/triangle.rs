@@ -24,6 +24,15 @@ pub struct Closest {
     pub feature: Feature,
 }
 
+impl Closest {
+    /// Infinitely far from every query.
+    pub(crate) const NOWHERE: Self = Self {
+        point: DVec3::INFINITY,
+        distance_squared: f64::INFINITY,
+        feature: Feature::Face,
+    };
+}
+
 /// Finds the closest point of a triangle.
 ///
 /// The answer is the best of four: the closest points of the three edges, and, where the query
