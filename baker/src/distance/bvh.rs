@@ -38,10 +38,14 @@ const DELTA: f64 = 1.0 / (1 << 19) as f64;
 /// triangles apart.
 const FARTHEST: f64 = (1 << 20) as f64;
 
-/// The bound δ for a local point, or nothing when the point is too far out.
-pub(super) fn coarse_error(point: DVec3) -> Option<f32> {
-    let largest = point.abs().max_element();
-    (largest <= FARTHEST).then(|| (DELTA * (1.0 + largest.max(1.0))) as f32)
+/// Whether single precision takes a local point.
+pub(super) fn is_within_reach(point: DVec3) -> bool {
+    point.abs().max_element() <= FARTHEST
+}
+
+/// The bound δ for a local point.
+pub(super) fn coarse_error(point: DVec3) -> f64 {
+    DELTA * (1.0 + point.abs().max_element().max(1.0))
 }
 
 /// A local point in every lane.

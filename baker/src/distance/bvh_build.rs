@@ -3,6 +3,7 @@
 
 use super::bvh::{Bvh, LANES, MAX_DEPTH, Node, Packet};
 use super::bvh_fold::{Layout, Tree};
+use super::bvh_nearest::Finder;
 use super::local_mesh::{Bounds, LocalMesh};
 use super::oriented_box::OrientedBox;
 use rayon::prelude::*;
@@ -34,7 +35,7 @@ fn bounds_of(primitives: &[Primitive]) -> Bounds {
 }
 
 /// Builds the tree, and puts the mesh into its order. It depends on the mesh alone, not on threads.
-pub(super) fn build(mesh: &LocalMesh) -> (LocalMesh, Bvh) {
+pub(super) fn build(mesh: &LocalMesh) -> Finder {
     let mut primitives: Vec<Primitive> = (0..mesh.triangles.len() as u32)
         .into_par_iter()
         .map(|triangle| Primitive {
@@ -65,7 +66,7 @@ pub(super) fn build(mesh: &LocalMesh) -> (LocalMesh, Bvh) {
         nodes: nodes.collect(),
         packets: packets.collect(),
     };
-    (mesh, bvh)
+    Finder { mesh, bvh }
 }
 
 /// Splits until a leaf fills at most one packet. `start` is the place of `primitives` in the whole.
@@ -194,21 +195,4 @@ fn halve(primitives: &mut [Primitive]) -> usize {
             .then(a.triangle.cmp(&b.triangle))
     });
     middle
-}
-
-pub(super) fn debug_stats(bvh: &Bvh, triangles: usize) {
-    let children: usize = bvh
-        .nodes
-        .iter()
-        .map(|n| (0..8).filter(|&l| n.child(l).is_some()).count())
-        .sum();
-    eprintln!(
-        "nodes {} ({} KB, {:.2} children) packets {} ({} KB, fill {:.2})",
-        bvh.nodes.len(),
-        bvh.nodes.len() / 4,
-        children as f64 / bvh.nodes.len() as f64,
-        bvh.packets.len(),
-        bvh.packets.len() * 320 / 1024,
-        triangles as f64 / bvh.packets.len() as f64
-    );
 }

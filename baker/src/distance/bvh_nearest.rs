@@ -6,14 +6,12 @@
 //! triangles are kept for the exact decision wherever their packet is reached. The closest triangle,
 //! and every triangle that ties with it, survives: the answer is the least (squared distance in
 //! double precision, triangle) over all triangles, whatever the order of the search.
-//!
-//! Neighbouring queries share one search. If all are within ρ of a centre, then only triangles
-//! within d + 2ρ of the centre, d away from its closest, can be closest to any of them: it is the
-//! same search with 2δ + 2ρ instead of 2δ. Each query then looks at the triangles that it found.
 
-use super::bvh::{Bvh, Child, ChildRef, LANES, Packet, Query, STACK, coarse_error, splat};
+use super::bvh::{
+    Bvh, Child, ChildRef, LANES, Packet, Query, STACK, coarse_error, is_within_reach, splat,
+};
 use super::local_mesh::LocalMesh;
-use super::triangle::{Closest, closest_point};
+use super::triangle::{Closest, closest_point, distance_squared};
 use glam::DVec3;
 use wide::f32x8;
 
@@ -24,11 +22,33 @@ pub(super) struct Nearest {
     pub(super) closest: Closest,
 }
 
+/// A mesh and its tree.
+pub(super) struct Finder {
+    pub(super) mesh: LocalMesh,
+    pub(super) bvh: Bvh,
+}
+
+impl Finder {
+    /// Finds the closest triangle to a finite local point. The `seed` is any triangle, best a near
+    /// one: it speeds the search up and never bears on the answer.
+    pub(super) fn nearest(&self, point: DVec3, seed: u32, scratch: &mut Scratch) -> Nearest {
+        let mut decision = Decision::new(&self.mesh, point);
+        if !is_within_reach(point) {
+            (0..self.mesh.triangles.len() as u32).for_each(|triangle| decision.compare(triangle));
+            return decision.best();
+        }
+        let mut coarse = Coarse::new(point, 0.0);
+        coarse.lower_cut(distance_squared(point, self.mesh.corners(seed)) as f32);
+        coarse.search(&self.bvh, usize::MAX, scratch);
+        coarse.decide(&scratch.candidates, decision)
+    }
+}
+
 /// Memory of a search, to be used again by the next one. It never bears on the answer.
 pub(super) struct Scratch {
     /// Squared distance of a box and what is in it, the nearest on top.
     stack: [(f32, ChildRef); STACK],
-    candidates: Vec<Candidate>,
+    pub(super) candidates: Vec<Candidate>,
 }
 
 impl Scratch {
@@ -42,152 +62,67 @@ impl Scratch {
 
 /// A triangle that may be the closest.
 #[derive(Clone, Copy)]
-struct Candidate {
+pub(super) struct Candidate {
     /// Squared distance in single precision; of its box if the triangle is thin.
-    distance_squared: f32,
-    /// The packet's place, and the lane in its three low bits.
-    place: u32,
+    pub(super) distance_squared: f32,
+    /// Eight times its packet, plus its lane.
+    pub(super) place: u32,
     triangle: u32,
 }
 
-/// Finds the closest triangle to a finite local point. The `seed` is any triangle, best a near one:
-/// it speeds the search up and never bears on the answer.
-pub(super) fn nearest(
-    mesh: &LocalMesh,
-    bvh: &Bvh,
-    point: DVec3,
-    seed: u32,
-    scratch: &mut Scratch,
-) -> Nearest {
-    let mut decision = Decision::new(mesh, point);
-    decision.compare(seed);
-    let Some(error) = coarse_error(point) else {
-        (0..mesh.triangles.len() as u32).for_each(|triangle| decision.compare(triangle));
-        return decision.best;
-    };
-
-    let mut coarse = Coarse::new(point, 2.0 * error);
-    coarse.lower_cut(decision.best.closest.distance_squared as f32);
-    coarse.search(bvh, usize::MAX, scratch);
-    coarse.decide(&scratch.candidates, decision)
-}
-
-/// The triangles that a group of neighbouring queries shares.
-pub(super) struct Group {
-    centre: DVec3,
-    /// The nearest to the centre first.
-    packets: Vec<Packet>,
-    /// Distance of each packet's nearest triangle from the centre, in single precision.
-    reaches: Vec<f32>,
-}
-
-impl Group {
-    pub(super) fn new() -> Self {
-        Self {
-            centre: DVec3::ZERO,
-            packets: Vec::new(),
-            reaches: Vec::new(),
-        }
-    }
-
-    /// Gathers the triangles that may be closest to points within `radius` of `centre` and returns
-    /// how many they are. Gives up beyond `limit`.
-    pub(super) fn gather(
-        &mut self,
-        mesh: &LocalMesh,
-        bvh: &Bvh,
-        (centre, radius): (DVec3, f64),
-        seed: u32,
-        limit: usize,
-        scratch: &mut Scratch,
-    ) -> Option<usize> {
-        let mut coarse = Coarse::new(centre, 2.0 * (coarse_error(centre)? + radius as f32));
-        coarse.lower_cut(closest_point(centre, mesh.corners(seed)).distance_squared as f32);
-        coarse.search(bvh, limit, scratch).then_some(())?;
-
-        let candidates = &mut scratch.candidates;
-        candidates.retain(|candidate| candidate.distance_squared <= coarse.cut);
-        candidates.sort_unstable_by(|a, b| a.distance_squared.total_cmp(&b.distance_squared));
-        self.centre = centre;
-        self.packets.clear();
-        self.reaches.clear();
-        for chunk in candidates.chunks(LANES) {
-            let mut packet = Packet::EMPTY;
-            for (lane, candidate) in chunk.iter().enumerate() {
-                let place = candidate.place as usize;
-                packet.copy_lane(lane, &bvh.packets[place / LANES], place % LANES);
-            }
-            self.packets.push(packet);
-            self.reaches.push(chunk[0].distance_squared.sqrt());
-        }
-        Some(candidates.len())
-    }
-
-    /// Finds the closest triangle to a point of the group.
-    pub(super) fn nearest(
-        &self,
-        mesh: &LocalMesh,
-        point: DVec3,
-        scratch: &mut Scratch,
-    ) -> Option<Nearest> {
-        let mut coarse = Coarse::new(point, 2.0 * coarse_error(point)?);
-        let off_centre = point.distance(self.centre) as f32;
-        scratch.candidates.clear();
-        for (place, (packet, reach)) in self.packets.iter().zip(&self.reaches).enumerate() {
-            let nearer = (reach - off_centre).max(0.0);
-            if nearer * nearer > coarse.cut {
-                break;
-            }
-            coarse.visit_packet(packet, place, nearer * nearer, &mut scratch.candidates);
-        }
-        Some(coarse.decide(&scratch.candidates, Decision::new(mesh, point)))
-    }
-}
-
 /// The exact decision among triangles.
-struct Decision<'a> {
+pub(super) struct Decision<'a> {
     mesh: &'a LocalMesh,
     point: DVec3,
-    best: Nearest,
+    triangle: u32,
+    distance_squared: f64,
 }
 
 impl<'a> Decision<'a> {
-    fn new(mesh: &'a LocalMesh, point: DVec3) -> Self {
+    pub(super) fn new(mesh: &'a LocalMesh, point: DVec3) -> Self {
         Self {
             mesh,
             point,
-            best: Nearest {
-                triangle: u32::MAX,
-                closest: Closest::NOWHERE,
-            },
+            triangle: u32::MAX,
+            distance_squared: f64::INFINITY,
         }
     }
 
     fn compare(&mut self, triangle: u32) {
-        let closest = closest_point(self.point, self.mesh.corners(triangle));
-        let (old, new) = (self.best.closest.distance_squared, closest.distance_squared);
-        if new < old || (new == old && self.is_before(triangle)) {
-            self.best = Nearest { triangle, closest };
+        let distance_squared = distance_squared(self.point, self.mesh.corners(triangle));
+        let is_tie = distance_squared == self.distance_squared;
+        if distance_squared < self.distance_squared || (is_tie && self.is_before(triangle)) {
+            (self.triangle, self.distance_squared) = (triangle, distance_squared);
         }
     }
 
     /// Whether the mesh lists this triangle before the best one.
     fn is_before(&self, triangle: u32) -> bool {
-        self.mesh.numbers[triangle as usize] < self.mesh.numbers[self.best.triangle as usize]
+        self.mesh.numbers[triangle as usize] < self.mesh.numbers[self.triangle as usize]
+    }
+
+    fn best(&self) -> Nearest {
+        let closest = closest_point(self.point, self.mesh.corners(self.triangle));
+        Nearest {
+            triangle: self.triangle,
+            closest,
+        }
     }
 }
 
 /// The search in single precision.
-struct Coarse {
+pub(super) struct Coarse {
     query: Query,
-    /// 2δ, or 2δ + 2ρ.
+    /// 2δ, and twice the radius.
     margin: f32,
     /// What is beyond this squared distance is not the closest.
-    cut: f32,
+    pub(super) cut: f32,
 }
 
 impl Coarse {
-    fn new(point: DVec3, margin: f32) -> Self {
+    /// A search for the triangles that may be closest to any point within `radius` of this one.
+    pub(super) fn new(point: DVec3, radius: f64) -> Self {
+        let margin = 2.0 * (coarse_error(point) + radius) as f32;
         Self {
             query: splat(point),
             margin,
@@ -197,14 +132,14 @@ impl Coarse {
 
     /// Takes in that some triangle is at this squared distance in single precision.
     #[inline(always)]
-    fn lower_cut(&mut self, distance_squared: f32) {
+    pub(super) fn lower_cut(&mut self, distance_squared: f32) {
         let reach = distance_squared.sqrt() + self.margin;
         self.cut = self.cut.min(reach * reach);
     }
 
     /// Leaves in `scratch` all triangles that may be closest. Gives up, and returns false, when they
     /// stay above `limit`.
-    fn search(&mut self, bvh: &Bvh, limit: usize, scratch: &mut Scratch) -> bool {
+    pub(super) fn search(&mut self, bvh: &Bvh, limit: usize, scratch: &mut Scratch) -> bool {
         let Scratch { stack, candidates } = scratch;
         candidates.clear();
         let mut height = 1;
@@ -251,7 +186,7 @@ impl Coarse {
 
     /// Keeps the triangles of a packet that may be closest.
     #[inline(always)]
-    fn visit_packet(
+    pub(super) fn visit_packet(
         &mut self,
         packet: &Packet,
         place: usize,
@@ -294,13 +229,22 @@ impl Coarse {
             .to_bitmask()
     }
 
-    fn decide(&self, candidates: &[Candidate], mut decision: Decision) -> Nearest {
-        for candidate in candidates
+    /// Decides among the candidates that the final cut leaves.
+    pub(super) fn decide(&self, candidates: &[Candidate], mut decision: Decision) -> Nearest {
+        let mut left = candidates
             .iter()
             .filter(|candidate| candidate.distance_squared <= self.cut)
-        {
-            decision.compare(candidate.triangle);
+            .map(|candidate| candidate.triangle);
+        match (left.next(), left.next()) {
+            (Some(only), None) => decision.triangle = only,
+            (first, second) => {
+                first
+                    .into_iter()
+                    .chain(second)
+                    .chain(left)
+                    .for_each(|triangle| decision.compare(triangle));
+            }
         }
-        decision.best
+        decision.best()
     }
 }

@@ -5,8 +5,8 @@
 //! A triangle contributes its solid angle ÷ 4π; all triangles of a closed surface sum to 1 inside
 //! and 0 outside, and a hole blurs the step between them.
 
-use super::bvh::{Bvh, Child, LANES, STACK, coarse_error, splat};
-use super::local_mesh::LocalMesh;
+use super::bvh::{Child, LANES, STACK, is_within_reach, splat};
+use super::bvh_nearest::Finder;
 use crate::geometry::area_vector;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -78,7 +78,7 @@ impl Cluster {
 }
 
 impl WindingTree {
-    pub(super) fn new(mesh: &LocalMesh, bvh: &Bvh) -> Self {
+    pub(super) fn new(Finder { mesh, bvh }: &Finder) -> Self {
         // Children come after their parents: from the last node to the first, each finds its
         // children's sums ready.
         let mut sums = vec![Cluster::default(); bvh.nodes.len()];
@@ -105,8 +105,8 @@ impl WindingTree {
 
     /// The winding number of the mesh around a local point: off by some 0.01 where the dipoles do
     /// worst. Zero for points very far away.
-    pub(super) fn at(&self, mesh: &LocalMesh, bvh: &Bvh, point: DVec3) -> f64 {
-        if coarse_error(point).is_none() {
+    pub(super) fn at(&self, Finder { mesh, bvh }: &Finder, point: DVec3) -> f64 {
+        if !is_within_reach(point) {
             return 0.0;
         }
         let query = splat(point);
