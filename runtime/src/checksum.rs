@@ -47,3 +47,31 @@ impl Crc32c {
 pub fn crc32c(bytes: &[u8]) -> u32 {
     Crc32c::new().update(bytes).finish()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn published_checksums() {
+        assert_eq!(crc32c(b"123456789"), 0xE306_9283, "the check value of the CRC catalogue");
+
+        // RFC 3720, B.4.
+        let ascending = core::array::from_fn::<u8, 32, _>(|index| index as u8);
+        let descending = core::array::from_fn::<u8, 32, _>(|index| 31 - index as u8);
+        assert_eq!(crc32c(&[0; 32]), 0x8A91_36AA);
+        assert_eq!(crc32c(&[0xFF; 32]), 0x62A8_AB43);
+        assert_eq!(crc32c(&ascending), 0x46DD_794E);
+        assert_eq!(crc32c(&descending), 0x113F_DB5C);
+    }
+
+    #[test]
+    fn pieces_sum_to_the_whole() {
+        let whole = b"signed distance fields that ship";
+        for at in 0..=whole.len() {
+            let (before, after) = whole.split_at(at);
+            assert_eq!(Crc32c::new().update(before).update(after).finish(), crc32c(whole));
+        }
+        assert_eq!(crc32c(b""), 0);
+    }
+}

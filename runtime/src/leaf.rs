@@ -2,7 +2,7 @@
 
 use crate::bytes::Words;
 use crate::hermite::{self, Corners, Mixed, Tricubic};
-use crate::implied::{self, Jet};
+use crate::implied::{self, Jets, Mask, PARENT_CORNERS};
 use crate::layout::{block, packed_sample, precision};
 use crate::octree::{Interpolant, Leaf, Octree};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
@@ -94,10 +94,10 @@ impl Octree<'_> {
         let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
         let first = lattice_bit(leaf.octant);
         let corners = CORNER_MASK << first;
-        if block.precision == precision::PACKED32 && block.full & corners == 0 && block.present & corners == corners {
-            return evaluate(&block.packed_corners(first, scale), None);
+        if block.precision == precision::PACKED32 && block.full == 0 && block.present & corners == corners {
+            return evaluate(&block.packed(&ranks(block.present, first), scale), None);
         }
-        let (corners, mixed) = block.any_corners(first, scale);
+        let (corners, mixed) = block.any_corners(leaf, scale);
         evaluate(&corners, Some(&mixed))
     }
 
@@ -110,9 +110,21 @@ impl Octree<'_> {
         if block.present & (CORNER_MASK << first) == CORNER_MASK << first {
             return ranks(block.present, first).map(|rank| block.trilinear_distance(rank, quantum));
         }
-        let read = |bit| block.trilinear_distance(rank(block.present, bit), quantum);
-        corner_bits(first).map(|bit| implied::distance(bit, block.present, read))
+        let implied = block.implied(first);
+        let ranks = choose(&implied, parent_ranks(block.present), ranks(block.present, first));
+        let distances = ranks.map(|rank| block.trilinear_distance(rank, quantum));
+        implied::settle_distances(&distances, &implied, leaf.octant)
     }
+}
+
+/// `parent` for the implied corners, `own` for the others.
+#[inline]
+fn choose<T: Copy>(implied: &Mask, parent: [T; 8], own: [T; 8]) -> [T; 8] {
+    let mut chosen = own;
+    for ((chosen, parent), &implied) in chosen.iter_mut().zip(parent).zip(implied) {
+        *chosen = if implied != 0 { parent } else { *chosen };
+    }
+    chosen
 }
 
 /// A 16-bit distance code counts sixteenths of a quantum.
@@ -127,18 +139,10 @@ struct Scale {
 }
 
 impl Block<'_> {
-    /// Corners of one word each: one plain loop, which compilers turn into vectors.
+    /// Samples of one word each: one plain loop, which compilers turn into vectors.
     #[inline]
-    fn packed_corners(&self, first: u32, scale: Scale) -> Tricubic {
-        let mut words = ranks(self.present, first);
-        if self.full != 0 {
-            let (stride, full_stride) = strides(precision::PACKED32);
-            for (word, rank) in words.iter_mut().zip(ranks(self.full, first)) {
-                *word += rank * (full_stride - stride);
-            }
-        }
-
-        let words = words.map(|word| self.data.word(word));
+    fn packed(&self, places: &[usize; 8], scale: Scale) -> Tricubic {
+        let words = places.map(|place| self.data.word(place));
         let mut distance = Corners::default();
         let mut gradient = [Corners::default(); 3];
         for (corner, &word) in words.iter().enumerate() {
@@ -153,43 +157,59 @@ impl Block<'_> {
     }
 
     /// Corners of any kind, stored or implied.
-    fn any_corners(&self, first: u32, scale: Scale) -> (Tricubic, Mixed) {
-        let mut corners = Tricubic { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
-        let mut mixed = [Corners::default(); 4];
-        for (corner, bit) in corner_bits(first).into_iter().enumerate() {
-            let jet = implied::jet(bit, self.present, |bit| self.sample(bit, scale));
-            let [x, y, z] = &mut corners.gradient;
-            let [xy, xz, yz, xyz] = &mut mixed;
-            let parts = [&mut corners.distance, x, y, xy, z, xz, yz, xyz];
-            for (part, derivative) in parts.into_iter().zip(jet) {
-                // The mask shows the compiler that no index can fail.
-                part[corner & 7] = derivative;
-            }
+    fn any_corners(&self, leaf: &Leaf, scale: Scale) -> (Tricubic, Mixed) {
+        // What is not stored is implied by the parent's corner on the same side.
+        let first = lattice_bit(leaf.octant);
+        let implied = self.implied(first);
+        let present = choose(&implied, parent_ranks(self.present), ranks(self.present, first));
+        let full = choose(&implied, parent_ranks(self.full), ranks(self.full, first));
+        let (stride, full_stride) = strides(self.precision);
+        let mut places = present.map(|rank| rank * stride);
+        for (place, rank) in places.iter_mut().zip(full) {
+            *place += rank * (full_stride - stride);
         }
-        (corners, mixed)
+
+        let Tricubic { distance, gradient: [x, y, z] } = self.packed(&places, scale);
+        let mut jets = [distance, x, y, [0.0; 8], z, [0.0; 8], [0.0; 8], [0.0; 8]];
+        if self.full != 0 || self.precision != precision::PACKED32 {
+            let bits = choose(&implied, PARENT_CORNERS, corner_bits(first));
+            self.replace_wide(&mut jets, &bits, &places, scale);
+        }
+        implied::settle(&mut jets, &implied, leaf.octant);
+
+        let [distance, x, y, xy, z, xz, yz, xyz] = jets;
+        (Tricubic { distance, gradient: [x, y, z] }, [xy, xz, yz, xyz])
     }
 
-    /// The stored sample at a lattice bit.
-    fn sample(&self, bit: u32, scale: Scale) -> Jet {
-        let (stride, full_stride) = strides(self.precision);
-        let place = rank(self.present, bit) * stride + rank(self.full, bit) * (full_stride - stride);
-        let full = self.full >> bit & 1 == 1;
-        let (distance, gradient) = match (self.precision, full) {
-            (precision::PACKED32, false) => {
-                let word = self.data.word(place);
-                let code = word >> packed_sample::DISTANCE_SHIFT;
-                (decode_distance(self.base, code, scale.quantum), decode_gradient(word))
+    /// Replaces the samples that are not packed.
+    fn replace_wide(&self, jets: &mut Jets, bits: &[u32; 8], places: &[usize; 8], scale: Scale) {
+        for (corner, (&bit, &place)) in bits.iter().zip(places).enumerate() {
+            let full = self.full >> bit & 1 == 1;
+            if full || self.precision != precision::PACKED32 {
+                for (derivatives, derivative) in jets.iter_mut().zip(self.wide_jet(place, full, scale)) {
+                    // The mask shows the compiler that no index can fail.
+                    derivatives[corner & 7] = derivative;
+                }
             }
-            (precision::F32, _) => {
-                let [distance, x, y, z] = self.data.words(place).map(decode_single);
-                (distance, [x, y, z])
-            }
-            _ => {
-                let [code_x, y_z] = self.data.words(place);
-                let base = self.base.wrapping_mul(16);
-                let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
-                (distance, [high(code_x), low(y_z), high(y_z)])
-            }
+        }
+    }
+
+    /// Which corners of the octant whose least corner is bit `first` are not stored.
+    #[inline]
+    fn implied(&self, first: u32) -> Mask {
+        corner_bits(first).map(|bit| (!self.present >> bit & 1).wrapping_neg())
+    }
+
+    /// A sample of half floats or floats.
+    fn wide_jet(&self, place: usize, full: bool, scale: Scale) -> [f32; 8] {
+        let (distance, gradient) = if self.precision == precision::F32 {
+            let [distance, x, y, z] = self.data.words(place).map(decode_single);
+            (distance, [x, y, z])
+        } else {
+            let [code_x, y_z] = self.data.words(place);
+            let base = self.base.wrapping_mul(16);
+            let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
+            (distance, [high(code_x), low(y_z), high(y_z)])
         };
         let mixed = match (full, self.precision) {
             (false, _) => [0.0; 4],
@@ -221,9 +241,13 @@ fn corner_bits(first: u32) -> [u32; 8] {
     [0, 9, 3, 12, 1, 10, 4, 13].map(|step| first + step)
 }
 
-/// How many bits of `mask` precede a bit.
-fn rank(mask: u32, bit: u32) -> usize {
-    (mask & ((1 << bit) - 1)).count_ones() as usize
+/// How many bits of `mask` precede each of [`PARENT_CORNERS`].
+#[inline]
+fn parent_ranks(mask: u32) -> [usize; 8] {
+    let below = |bit: u32| (mask & ((1 << bit) - 1)).count_ones();
+    let pair = |bit: u32| (mask >> bit & 1) + (mask >> bit >> 1 & 1);
+    let [b, c, d] = [below(6), below(18), below(24)];
+    [0, c, b, d, pair(0), c + pair(18), b + pair(6), d + pair(24)].map(|rank| rank as usize)
 }
 
 /// Words of a regular and of a full tricubic sample.

@@ -43,3 +43,45 @@ pub(crate) fn length_and_direction(vector: [f32; 3]) -> (f32, [f32; 3]) {
 pub(crate) fn power_of_half(exponent: u8) -> f32 {
     f32::from_bits((127 - u32::from(exponent).min(126)) << 23)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reciprocal_sqrt_is_as_accurate_as_documented() {
+        // Every number of the interval.
+        let (first, last) = ((1.0_f32 / 3.0).to_bits(), 1.0_f32.to_bits());
+        let mut largest: f64 = 0.0;
+        for bits in first..=last {
+            let x = f32::from_bits(bits);
+            let error = f64::from(reciprocal_sqrt(x)) * f64::from(x).sqrt() - 1.0;
+            largest = largest.max(error.abs());
+        }
+        assert!(largest < 1.2e-7, "{largest}");
+        assert_eq!(reciprocal_sqrt(1.0), 1.0);
+    }
+
+    #[test]
+    fn lengths_neither_overflow_nor_underflow() {
+        assert_eq!(length_and_direction([0.0, -3.5, 0.0]), (3.5, [0.0, -1.0, 0.0]));
+        assert_eq!(length_and_direction([f32::MAX; 3]).0, f32::MAX);
+        let least = f32::from_bits(1);
+        assert_eq!(length_and_direction([0.0, 0.0, least]), (least, [0.0, 0.0, 1.0]));
+
+        let vector = [3e37, -4e37, 12e37];
+        let (length, direction) = length_and_direction(vector);
+        assert!((length / 13e37 - 1.0).abs() < 4e-7);
+        for (component, whole) in direction.into_iter().zip(vector) {
+            assert!((component * 13e37 / whole - 1.0).abs() < 6e-7);
+        }
+    }
+
+    #[test]
+    fn powers_of_half_are_exact() {
+        for exponent in 0..=126 {
+            assert_eq!(power_of_half(exponent), 0.5_f32.powi(i32::from(exponent)));
+        }
+        assert_eq!(power_of_half(255), power_of_half(126), "saturated");
+    }
+}

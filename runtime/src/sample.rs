@@ -67,3 +67,69 @@ pub(crate) fn decode_single(bits: u32) -> f32 {
 pub(crate) fn is_sample(value: f32) -> bool {
     value.abs() <= crate::layout::limit::MAX_MAGNITUDE
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_are_exact() {
+        let code = |x: u32, y: u32| x | y << packed::GRADIENT_BITS;
+        assert_eq!(decode_gradient(code(1022, 511)), [1.0, 0.0, 0.0]);
+        assert_eq!(decode_gradient(code(0, 511)), [-1.0, 0.0, 0.0]);
+        assert_eq!(decode_gradient(code(511, 1022)), [0.0, 1.0, 0.0]);
+        assert_eq!(decode_gradient(code(511, 0)), [0.0, -1.0, 0.0]);
+        assert_eq!(decode_gradient(code(511, 511)), [0.0, 0.0, 1.0]);
+        for corner in [code(0, 0), code(1022, 0), code(0, 1022), code(1022, 1022)] {
+            assert_eq!(decode_gradient(corner), [0.0, 0.0, -1.0]);
+        }
+        assert_eq!(decode_gradient(0xABC << 20 | code(0, 511)), [-1.0, 0.0, 0.0], "bits above");
+    }
+
+    #[test]
+    fn every_code_decodes_to_a_unit_vector() {
+        for code in 0..1 << 20 {
+            let [x, y, z] = decode_gradient(code).map(f64::from);
+            let error = ((x * x + y * y + z * z).sqrt() - 1.0).abs();
+            // The codes that no writer may write have finite answers too.
+            let largest = (code & 1023).max(code >> 10);
+            let tolerance = if largest <= packed::GRADIENT_MAX { 3e-7 } else { 1e-3 };
+            assert!(error < tolerance, "{code:#x}: {error}");
+        }
+    }
+
+    #[test]
+    fn halves_of_note() {
+        let cases = [
+            (0x0000, 0.0),
+            (0x3C00, 1.0),
+            (0xC000, -2.0),
+            (0x7BFF, 65504.0),
+            (0x0001, 5.960_464_5e-8),
+            (0x03FF, 6.097_555e-5),
+            (0x0400, 6.103_515_6e-5),
+            (0x3555, 0.333_251_95),
+            (0x7C00, 0.0),
+            (0xFC00, 0.0),
+            (0x7E00, 0.0),
+        ];
+        for (bits, value) in cases {
+            assert_eq!(decode_half(bits), value, "{bits:#06x}");
+        }
+        assert!(decode_half(0x8000).is_sign_negative());
+    }
+
+    #[test]
+    fn distances_wrap_instead_of_panicking() {
+        assert_eq!(decode_distance(-3, 5, 0.25), 0.5);
+        assert_eq!(decode_distance(i32::MAX, 1, 1.0), i32::MIN as f32);
+    }
+
+    #[test]
+    fn singles_that_no_writer_may_write_are_zero() {
+        for value in [f32::NAN, f32::INFINITY, -1e30] {
+            assert_eq!(decode_single(value.to_bits()), 0.0);
+        }
+        assert_eq!(decode_single((-3.5_f32).to_bits()), -3.5);
+    }
+}
