@@ -7,7 +7,7 @@ use nearfield_bake::random::Draws;
 use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
 use nearfield_bake::{Baked, bake};
 
-const TARGET: f64 = 1e-3;
+const TARGET: f64 = 2e-3;
 const POINTS: u64 = 50_000;
 
 fn settings(interpolant: Interpolant, precision: Precision) -> Settings {
@@ -98,6 +98,6 @@ fn a_smaller_target_gives_a_smaller_error() {
         baked(&mesh, &settings).report.measurement.uniform.rmse
     };
 
-    let errors = [4e-3, 1e-3, 2.5e-4].map(rmse);
+    let errors = [8e-3, 2e-3, 5e-4].map(rmse);
     assert!(errors.is_sorted_by(|coarse, fine| coarse > fine), "{errors:?}");
 }

@@ -28,7 +28,7 @@ pub(super) fn push_block(words: &mut Vec<u32>, rounding: &Rounding, level: u8, l
     let base = if precision == Precision::F32 { 0 } else { base as i32 };
     words.extend([
         mask(&|_| true) | code << block::PRECISION_SHIFT,
-        mask(&|vertex| vertex.hangs),
+        mask(&|vertex| vertex.hangs && rounding.interpolant() == Interpolant::Tricubic),
         base.cast_unsigned(),
     ]);
     match (rounding.interpolant(), precision) {

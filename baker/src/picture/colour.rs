@@ -9,6 +9,9 @@ pub(super) const ISOLINE: Rgb = [96, 96, 100];
 /// Colour of the borders of leaves.
 pub(super) const CELL: Rgb = [40, 44, 52];
 
+/// Shades on either side of the surface: more than the eye tells apart, few enough for small files.
+const SHADES: f64 = 128.0;
+
 const INSIDE: [Rgb; 3] = [[222, 238, 250], [88, 158, 214], [10, 54, 112]];
 const OUTSIDE: [Rgb; 3] = [[255, 246, 228], [246, 178, 98], [150, 50, 8]];
 
@@ -17,6 +20,7 @@ const OUTSIDE: [Rgb; 3] = [[255, 246, 228], [246, 178, 98], [150, 50, 8]];
 /// The square root spreads the colours near the surface, where distances matter.
 pub(super) fn of_distance(distance: f64, range: f64) -> Rgb {
     let depth = (distance.abs() / range).clamp(0.0, 1.0).sqrt();
+    let depth = (depth * SHADES).round() / SHADES;
     let [near, middle, far] = if distance < 0.0 { INSIDE } else { OUTSIDE };
 
     if depth < 0.5 { mix(near, middle, 2.0 * depth) } else { mix(middle, far, 2.0 * depth - 1.0) }
