@@ -163,12 +163,14 @@ impl Block<'_> {
         // What is not stored is implied by the parent's corner on the same side.
         let first = lattice_bit(leaf.octant);
         let implied = self.implied(first);
-        let present = choose(implied, parent_ranks(self.present), ranks(self.present, first));
-        let full = choose(implied, parent_ranks(self.full), ranks(self.full, first));
         let (stride, full_stride) = strides(self.precision);
+        let present = choose(implied, parent_ranks(self.present), ranks(self.present, first));
         let mut places = present.map(|rank| rank * stride);
-        for (place, rank) in places.iter_mut().zip(full) {
-            *place += rank * (full_stride - stride);
+        if self.full != 0 {
+            let full = choose(implied, parent_ranks(self.full), ranks(self.full, first));
+            for (place, rank) in places.iter_mut().zip(full) {
+                *place += rank * (full_stride - stride);
+            }
         }
 
         let Tricubic { distance, gradient: [x, y, z] } = self.packed(&places, scale);
