@@ -1,12 +1,15 @@
 //! The pipeline, on one screen.
 
 use crate::distance::{SignMethod, SignedDistance};
-use crate::encode::{EncodeError, Provenance, encode, write_contract};
+use crate::encode::{EncodeError, Provenance, encode, encode_grid, write_contract};
+use crate::field_function::FieldFunction;
+use crate::geometry::Aabb;
+use crate::grid::Grid;
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
-use crate::settings::{Settings, SettingsError};
+use crate::settings::{Layout, Settings, SettingsError};
 use crate::verify::{self, CONTRACT_SEED};
 use nearfield::{Field, layout};
 use thiserror::Error;
@@ -46,12 +49,6 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     let sign_method = settings.sign.resolve(&mesh.topology);
     let distance = SignedDistance::new(mesh, sign_method);
 
-    // 2. Cells and samples.
-    stopwatch.stage("octree");
-    let octree = Octree::build(&distance, &mesh.bounds, settings, target, progress);
-
-    // 3. Bytes.
-    stopwatch.stage("encode");
     let provenance = Provenance {
         mesh_hash: mesh.hash(),
         settings_hash: settings.hash(),
@@ -62,7 +59,10 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
         diagonal,
         target_error: target,
     };
-    let mut bytes = encode(&octree, &provenance)?;
+
+    // 2. Samples, 3. bytes.
+    let Built { mut bytes, leaves_by_level, samples } =
+        build(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     // 4. The error contract, as the shipping reader answers.
     stopwatch.stage("verify");
@@ -70,12 +70,76 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
     write_contract(&mut bytes, &measurement.contract());
 
-    let report = Report {
-        sign_method,
-        leaves_by_level: octree.leaves_by_level(),
-        samples: octree.samples,
-        measurement,
-        stages: stopwatch.stop(),
-    };
+    let report =
+        Report { sign_method: Some(sign_method), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
+}
+
+/// Bakes any signed distance function, sampled in `bounds` and the margin of the settings around it, mesh units.
+///
+/// The header names no sign method and no mesh. Errors are relative to the diagonal of `bounds` and measured
+/// against the function itself: uniform in `bounds`, and near its zero set as far as projecting points of
+/// `bounds` along the gradient finds it. [`field_function::Closure`](crate::field_function::Closure) makes a
+/// function of a closure.
+///
+/// # Errors
+/// As [`bake`].
+pub fn bake_function(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Baked, BakeError> {
+    settings.check()?;
+    let diagonal = bounds.diagonal();
+    let provenance = Provenance {
+        mesh_hash: [0; 16],
+        settings_hash: settings.hash(),
+        sign_method: layout::sign_method::NONE,
+        diagonal,
+        target_error: settings.error.absolute(diagonal),
+    };
+    let mut stopwatch = Stopwatch::start(progress);
+    let Built { mut bytes, leaves_by_level, samples } =
+        build(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
+
+    stopwatch.stage("verify");
+    let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
+    let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
+    write_contract(&mut bytes, &measurement.contract());
+    let report = Report { sign_method: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
+    Ok(Baked { bytes, report })
+}
+
+/// What the layouts have in common once they are bytes.
+struct Built {
+    bytes: Vec<u8>,
+    leaves_by_level: Vec<usize>,
+    samples: usize,
+}
+
+fn build(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    provenance: &Provenance,
+    stopwatch: &mut Stopwatch<'_>,
+    progress: &dyn Progress,
+) -> Result<Built, BakeError> {
+    match &settings.layout {
+        Layout::Octree => {
+            stopwatch.stage("octree");
+            let octree = Octree::build(function, bounds, settings, provenance.target_error, progress);
+            stopwatch.stage("encode");
+            let bytes = encode(&octree, provenance)?;
+            Ok(Built { bytes, leaves_by_level: octree.leaves_by_level(), samples: octree.samples })
+        }
+        Layout::Grid(grid_settings) => {
+            stopwatch.stage("grid");
+            let grid = Grid::build(function, bounds, settings, grid_settings, progress);
+            stopwatch.stage("encode");
+            let bytes = encode_grid(&grid, provenance)?;
+            Ok(Built { bytes, leaves_by_level: Vec::new(), samples: grid.samples })
+        }
+    }
 }

@@ -35,7 +35,14 @@ fn open_and_query(bytes: &[u8]) {
         );
     }
 
-    let octree = field.octree();
+    if let Some(grid) = field.grid() {
+        let [nx, ny, nz] = grid.resolution();
+        for corner in [[0, 0, 0], [nx - 2, ny - 2, nz - 2], [u32::MAX; 3]] {
+            let (distance, gradient) = grid.evaluate(corner, [0.0, 0.5, 1.0]);
+            assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()));
+        }
+    }
+    let Some(octree) = field.octree() else { return };
     let mut leaves = 0;
     for leaf in octree.leaves().take(MOST_LEAVES) {
         leaves += 1;

@@ -178,8 +178,9 @@ fn linear(t: f32) -> [f32; 2] {
     [1.0 - t, t]
 }
 
+/// Weighted sum of the corners: the product of the weights along each axis.
 #[inline]
-fn trilinear_sum(distance: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
+pub(crate) fn trilinear_sum(distance: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
     let [value] = mix(z, along_z(mix(y, along_y(mix(x, along_x(*distance))))));
     value
 }

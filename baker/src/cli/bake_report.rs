@@ -6,7 +6,7 @@ use nearfield::Field;
 use nearfield_bake::distance::SignMethod;
 use nearfield_bake::mesh::{CheckedMesh, Topology};
 use nearfield_bake::report::{Report, Stage};
-use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
 use serde::Serialize;
 use std::path::Path;
 
@@ -20,8 +20,8 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
 
     if !closed {
         let consequence = match report.sign_method {
-            SignMethod::Winding => "the sign comes from winding numbers",
-            SignMethod::Pseudonormal => "pseudonormals, as asked for, may get the sign wrong; try --sign auto",
+            Some(SignMethod::Winding) => "the sign comes from winding numbers",
+            _ => "pseudonormals, as asked for, may get the sign wrong; try --sign auto",
         };
         warnings.push(format!("it has {}, so {consequence}", defects(&mesh.topology)));
     }
@@ -29,7 +29,7 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         warnings.push("it is inside out, so distances are negative outside; flip its triangles".to_owned());
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
-    if report.measurement.uniform.rmse > target {
+    if settings.layout == Layout::Octree && report.measurement.uniform.rmse > target {
         warnings.push(format!(
             "the error is {:.2} times the target; raise --max-depth or the target",
             report.measurement.uniform.rmse / target
@@ -72,7 +72,7 @@ pub(super) fn summary(
     }
 
     let info = InfoReport::of(field);
-    text += &format!("{}: {} bytes, leaves {}\n", field_path.display(), info.bytes(), info.leaves());
+    text += &format!("{}: {} bytes, {}\n", field_path.display(), info.bytes(), info.cells());
     text += &error_table::table(&field.contract(), field.header().diagonal);
     text += &error_table::details(&report.measurement, field.header().diagonal);
 
