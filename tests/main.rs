@@ -1,1 +1,4 @@
 //! The promises of Nearfield, one module a promise.
+
+mod distance;
+mod support;
