@@ -41,12 +41,13 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
 /// The defects that keep pseudonormals from telling inside from outside.
 fn defects(topology: &Topology) -> String {
     let counts = [
-        (topology.boundary_edges, "boundary edges"),
-        (topology.non_manifold_edges, "non-manifold edges"),
-        (topology.inconsistent_edges, "inconsistently wound edges"),
+        (topology.boundary_edges, "boundary"),
+        (topology.non_manifold_edges, "non-manifold"),
+        (topology.inconsistent_edges, "inconsistently wound"),
     ];
+    let found = counts.iter().filter(|(count, _)| *count > 0);
     let found: Vec<String> =
-        counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+        found.map(|&(count, what)| format!("{count} {what} edge{}", if count == 1 { "" } else { "s" })).collect();
     found.join(", ")
 }
 
