@@ -11,126 +11,68 @@ use crate::hermite::Corners;
 /// counts x, bit 1 y, bit 2 z: `[f, fx, fy, fxy, fz, fxz, fyz, fxyz]`.
 pub(crate) type Jets = [Corners; 8];
 
-/// All ones for the corners of a leaf that are implied, zero for the others.
-pub(crate) type Mask = [u32; 8];
-
 /// Lattice bits of the parent's corners, in the order of [`Corners`].
 pub(crate) const PARENT_CORNERS: [u32; 8] = [0, 18, 6, 24, 2, 20, 8, 26];
 
-/// The lattice bits that must be present for this one to be implied; none if it cannot be: the parent's
-/// corners and the centre of the block are always stored.
-pub(crate) fn corners_around(bit: u32) -> u32 {
-    let [x, y, z] = [bit % 3, bit / 3 % 3, bit / 9];
-    let ends = |coordinate: u32| if coordinate == 1 { [0, 2] } else { [coordinate; 2] };
-    match [x, y, z].into_iter().filter(|&coordinate| coordinate == 1).count() {
-        0 | 3 => 0,
-        _ => {
-            let row = ends(x).into_iter().fold(0, |mask, x| mask | 1 << x);
-            let layer = ends(y).into_iter().fold(0, |mask, y| mask | row << (3 * y));
-            ends(z).into_iter().fold(0, |mask, z| mask | layer << (9 * z))
+/// Whether a block that leaves a lattice bit out implies it: the parent's corners around it are stored and,
+/// for the middle of a face, the middles of that face's edges are not. The parent's own corners and the
+/// centre of the block are never implied.
+pub(crate) fn is_implied(bit: u32, present: u32) -> bool {
+    let halfway = |step: u32| bit / step % 3 == 1;
+    let ends = |mask: u32, step: u32| mask >> step | mask << step;
+    let all = |mask: u32| present & mask == mask;
+    let middle = 1 << bit;
+    match [1, 3, 9].map(|step| halfway(step).then_some(step)) {
+        [Some(step), None, None] | [None, Some(step), None] | [None, None, Some(step)] => all(ends(middle, step)),
+        [Some(a), Some(b), None] | [Some(a), None, Some(b)] | [None, Some(a), Some(b)] => {
+            let edges = ends(middle, a) | ends(middle, b);
+            all(ends(ends(middle, a), b)) && present & edges == 0
         }
+        _ => false,
     }
 }
 
 /// Replaces, at each implied corner of an octant, the jet of the parent's corner on the same side by the
-/// jet that the parent's cubic has there.
+/// jet that the parent's cubic has there. `implied` has a bit for each of [`Corners`].
 ///
-/// An axis at a time, the corners away from the parent's corner move to the middle. A corner in the middle
-/// of a face is reached in two steps, through those in the middle of its edges, which are implied too.
-#[inline]
-pub(crate) fn settle(jets: &mut Jets, implied: &Mask, octant: u32) {
-    settle_along::<1>(jets, implied, octant & 1, along_x, back_along_x);
-    settle_along::<2>(jets, implied, octant >> 1 & 1, along_y, back_along_y);
-    settle_along::<4>(jets, implied, octant >> 2 & 1, along_z, back_along_z);
+/// An axis at a time, the corners away from the parent's own corner move to the middle. A corner in the
+/// middle of a face is reached in two steps, through those in the middle of its edges, which are implied too.
+pub(crate) fn settle(jets: &mut Jets, implied: u32, octant: u32) {
+    settle_along::<1>(jets, implied, octant & 1);
+    settle_along::<2>(jets, implied, octant >> 1 & 1);
+    settle_along::<4>(jets, implied, octant >> 2 & 1);
 }
 
 /// The same for the distances of a trilinear leaf.
-pub(crate) fn settle_distances(distances: &Corners, implied: &Mask, octant: u32) -> Corners {
+pub(crate) fn settle_distances(distances: &Corners, implied: u32, octant: u32) -> Corners {
     let mut jets = [*distances, [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]];
     settle(&mut jets, implied, octant);
     jets[0]
 }
 
-/// The ends along an axis, four lines at a time.
-type Ends<T> = [[T; 4]; 2];
-
-/// One axis, given how to take corners apart into the ends along it and back.
+/// One axis, by its index among the derivatives.
 #[inline]
-fn settle_along<const AXIS: usize>(
-    jets: &mut Jets,
-    implied: &Mask,
-    far_half: u32,
-    ends: impl Fn(Corners) -> Ends<f32>,
-    back: impl Fn(Ends<f32>) -> Corners,
-) {
-    let implied = ends(implied.map(f32::from_bits));
-    for value in (0..8).filter(|index| index & AXIS == 0) {
+fn settle_along<const AXIS: usize>(jets: &mut Jets, implied: u32, far_half: u32) {
+    // Corners are numbered z first, derivatives x first.
+    let step = 4 / AXIS;
+    // The parent's own corner is near in the near half and far in the far half; its opposite moves.
+    let moves = [0xF0_u32, 0xCC, 0xAA][AXIS / 2] ^ far_half.wrapping_neg();
+    let mut moving = implied & moves & 0xFF;
+    while moving != 0 {
         // The masks show the compiler that no index can fail.
-        let (value, slope) = (value & 7, (value | AXIS) & 7);
-        let [near, far] = ends(jets[value]);
-        let [near_slope, far_slope] = ends(jets[slope]);
+        let corner = moving.trailing_zeros() as usize & 7;
+        let (near, far) = (corner & !step, corner | step);
+        moving &= moving - 1;
+        for value in (0..8).filter(|index| index & AXIS == 0) {
+            let slope = (value | AXIS) & 7;
+            let (rise, sum) = (jets[value][far] - jets[value][near], jets[value][near] + jets[value][far]);
+            let (near_slope, far_slope) = (jets[slope][near], jets[slope][far]);
 
-        // The middle of a cubic that spans two leaves.
-        let (mut middle, mut middle_slope) = ([0.0; 4], [0.0; 4]);
-        for line in 0..4 {
-            let rise = far[line] - near[line];
-            middle[line] = 0.5 * (near[line] + far[line]) + 0.25 * (near_slope[line] - far_slope[line]);
-            middle_slope[line] = 0.75 * rise - 0.25 * (near_slope[line] + far_slope[line]);
+            // The middle of a cubic that spans two leaves.
+            jets[value][corner] = 0.5 * sum + 0.25 * (near_slope - far_slope);
+            jets[slope][corner] = 0.75 * rise - 0.25 * (near_slope + far_slope);
         }
-
-        // The parent's corner is near in the near half and far in the far half.
-        (jets[value], jets[slope]) = match far_half {
-            0 => (
-                back([near, select(&implied[1], &middle, &far)]),
-                back([near_slope, select(&implied[1], &middle_slope, &far_slope)]),
-            ),
-            _ => (
-                back([select(&implied[0], &middle, &near), far]),
-                back([select(&implied[0], &middle_slope, &near_slope), far_slope]),
-            ),
-        };
     }
-}
-
-/// `chosen` where the bits of the mask are set, `other` where they are not.
-#[inline]
-fn select(mask: &[f32; 4], chosen: &[f32; 4], other: &[f32; 4]) -> [f32; 4] {
-    let mut selected = [0.0; 4];
-    for (((selected, mask), chosen), other) in selected.iter_mut().zip(mask).zip(chosen).zip(other) {
-        let mask = mask.to_bits();
-        *selected = f32::from_bits(chosen.to_bits() & mask | other.to_bits() & !mask);
-    }
-    selected
-}
-
-#[inline]
-fn along_x([a, b, c, d, e, f, g, h]: Corners) -> Ends<f32> {
-    [[a, b, c, d], [e, f, g, h]]
-}
-
-#[inline]
-fn back_along_x([[a, b, c, d], [e, f, g, h]]: Ends<f32>) -> Corners {
-    [a, b, c, d, e, f, g, h]
-}
-
-#[inline]
-fn along_y([a, b, c, d, e, f, g, h]: Corners) -> Ends<f32> {
-    [[a, b, e, f], [c, d, g, h]]
-}
-
-#[inline]
-fn back_along_y([[a, b, e, f], [c, d, g, h]]: Ends<f32>) -> Corners {
-    [a, b, c, d, e, f, g, h]
-}
-
-#[inline]
-fn along_z([a, b, c, d, e, f, g, h]: Corners) -> Ends<f32> {
-    [[a, c, e, g], [b, d, f, h]]
-}
-
-#[inline]
-fn back_along_z([[a, c, e, g], [b, d, f, h]]: Ends<f32>) -> Corners {
-    [a, b, c, d, e, f, g, h]
 }
 
 #[cfg(test)]
@@ -140,16 +82,25 @@ mod tests {
     #[test]
     fn corners_and_centre_are_never_implied() {
         for bit in [0, 2, 6, 8, 18, 20, 24, 26, 13] {
-            assert_eq!(corners_around(bit), 0, "bit {bit}");
+            assert!(!is_implied(bit, !(1 << bit)), "bit {bit}");
         }
     }
 
     #[test]
-    fn edges_lie_between_two_corners_and_faces_between_four() {
-        assert_eq!(corners_around(1), 1 | 1 << 2);
-        assert_eq!(corners_around(11), 1 << 2 | 1 << 20);
-        assert_eq!(corners_around(4), 1 | 1 << 2 | 1 << 6 | 1 << 8);
-        assert_eq!(corners_around(14), 1 << 2 | 1 << 8 | 1 << 20 | 1 << 26);
+    fn middles_are_implied_by_the_corners_around_them() {
+        let corners = PARENT_CORNERS.iter().fold(0, |mask, bit| mask | 1 << bit);
+        for bit in (0..27).filter(|&bit| corners >> bit & 1 == 0 && bit != 13) {
+            assert!(is_implied(bit, corners), "bit {bit}");
+        }
+        for (edge, corner) in [(1, 0), (1, 2), (11, 2), (11, 20), (15, 6), (15, 24)] {
+            assert!(!is_implied(edge, corners & !(1 << corner)), "edge {edge} without corner {corner}");
+        }
+        for (face, missing) in [(4, 0), (4, 8), (14, 26), (10, 18)] {
+            assert!(!is_implied(face, corners & !(1 << missing)), "face {face} without corner {missing}");
+        }
+        for (face, edge) in [(4, 1), (4, 3), (14, 5), (14, 17), (22, 21)] {
+            assert!(!is_implied(face, corners | 1 << edge), "face {face} beside a stored edge {edge}");
+        }
     }
 
     #[test]
@@ -184,7 +135,7 @@ mod tests {
         for octant in 0..8_u32 {
             let least = [octant & 1, octant >> 1 & 1, octant >> 2 & 1];
             let mut settled = jets([0; 3], 2);
-            settle(&mut settled, &[u32::MAX; 8], octant);
+            settle(&mut settled, 0xFF, octant);
             assert_eq!(settled, jets(least, 1), "octant {octant}");
         }
     }
@@ -194,7 +145,7 @@ mod tests {
         let jets: Jets = core::array::from_fn(|index| core::array::from_fn(|corner| (10 * index + corner) as f32));
         for octant in 0..8 {
             let mut settled = jets;
-            settle(&mut settled, &[0; 8], octant);
+            settle(&mut settled, 0, octant);
             assert_eq!(settled, jets, "octant {octant}");
         }
     }

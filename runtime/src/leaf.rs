@@ -2,7 +2,7 @@
 
 use crate::bytes::Words;
 use crate::hermite::{self, Corners, Mixed, Tricubic};
-use crate::implied::{self, Jets, Mask, PARENT_CORNERS};
+use crate::implied::{self, Jets, PARENT_CORNERS};
 use crate::layout::{block, packed_sample, precision};
 use crate::octree::{Interpolant, Leaf, Octree};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
@@ -111,18 +111,20 @@ impl Octree<'_> {
             return ranks(block.present, first).map(|rank| block.trilinear_distance(rank, quantum));
         }
         let implied = block.implied(first);
-        let ranks = choose(&implied, parent_ranks(block.present), ranks(block.present, first));
+        let ranks = choose(implied, parent_ranks(block.present), ranks(block.present, first));
         let distances = ranks.map(|rank| block.trilinear_distance(rank, quantum));
-        implied::settle_distances(&distances, &implied, leaf.octant)
+        implied::settle_distances(&distances, implied, leaf.octant)
     }
 }
 
 /// `parent` for the implied corners, `own` for the others.
 #[inline]
-fn choose<T: Copy>(implied: &Mask, parent: [T; 8], own: [T; 8]) -> [T; 8] {
+fn choose<T: Copy>(implied: u32, parent: [T; 8], own: [T; 8]) -> [T; 8] {
     let mut chosen = own;
-    for ((chosen, parent), &implied) in chosen.iter_mut().zip(parent).zip(implied) {
-        *chosen = if implied != 0 { parent } else { *chosen };
+    for (corner, (chosen, parent)) in chosen.iter_mut().zip(parent).enumerate() {
+        if implied >> corner & 1 == 1 {
+            *chosen = parent;
+        }
     }
     chosen
 }
@@ -161,8 +163,8 @@ impl Block<'_> {
         // What is not stored is implied by the parent's corner on the same side.
         let first = lattice_bit(leaf.octant);
         let implied = self.implied(first);
-        let present = choose(&implied, parent_ranks(self.present), ranks(self.present, first));
-        let full = choose(&implied, parent_ranks(self.full), ranks(self.full, first));
+        let present = choose(implied, parent_ranks(self.present), ranks(self.present, first));
+        let full = choose(implied, parent_ranks(self.full), ranks(self.full, first));
         let (stride, full_stride) = strides(self.precision);
         let mut places = present.map(|rank| rank * stride);
         for (place, rank) in places.iter_mut().zip(full) {
@@ -172,10 +174,10 @@ impl Block<'_> {
         let Tricubic { distance, gradient: [x, y, z] } = self.packed(&places, scale);
         let mut jets = [distance, x, y, [0.0; 8], z, [0.0; 8], [0.0; 8], [0.0; 8]];
         if self.full != 0 || self.precision != precision::PACKED32 {
-            let bits = choose(&implied, PARENT_CORNERS, corner_bits(first));
+            let bits = choose(implied, PARENT_CORNERS, corner_bits(first));
             self.replace_wide(&mut jets, &bits, &places, scale);
         }
-        implied::settle(&mut jets, &implied, leaf.octant);
+        implied::settle(&mut jets, implied, leaf.octant);
 
         let [distance, x, y, xy, z, xz, yz, xyz] = jets;
         (Tricubic { distance, gradient: [x, y, z] }, [xy, xz, yz, xyz])
@@ -194,10 +196,11 @@ impl Block<'_> {
         }
     }
 
-    /// Which corners of the octant whose least corner is bit `first` are not stored.
+    /// Which corners of the octant whose least corner is bit `first` are not stored: a bit for each of [`Corners`].
     #[inline]
-    fn implied(&self, first: u32) -> Mask {
-        corner_bits(first).map(|bit| (!self.present >> bit & 1).wrapping_neg())
+    fn implied(&self, first: u32) -> u32 {
+        let absent = !self.present >> first;
+        [0, 9, 3, 12, 1, 10, 4, 13].into_iter().rev().fold(0, |mask, step| mask << 1 | absent >> step & 1)
     }
 
     /// A sample of half floats or floats.

@@ -2,7 +2,7 @@
 
 use crate::bytes::Words;
 use crate::error::Error;
-use crate::implied::corners_around;
+use crate::implied::is_implied;
 use crate::layout::{block, node, packed_sample as packed, precision};
 use crate::leaf::{Block, CORNER_MASK, lattice_bit, strides};
 use crate::octree::{Interpolant, Octree};
@@ -89,8 +89,8 @@ fn check_block(octree: &Octree<'_>, at: usize, needed: u32, may_imply: bool) -> 
     if block.precision > precision::F32 {
         return Err(Error::BlockPrecision);
     }
-    let absent = (0..block::LATTICE).filter(|bit| (needed & !block.present) >> bit & 1 == 1);
-    if !absent.map(corners_around).all(|around| may_imply && around != 0 && block.present & around == around) {
+    let mut absent = (0..block::LATTICE).filter(|bit| (needed & !block.present) >> bit & 1 == 1);
+    if !absent.all(|bit| may_imply && is_implied(bit, block.present)) {
         return Err(Error::BlockPresent);
     }
     if block.full & !block.present != 0 || trilinear && block.full != 0 {

@@ -1,8 +1,11 @@
 //! Builds the tree over the triangles: a binary tree by binned surface-area heuristic (Wald 2007,
 //! "On fast construction of SAH-based bounding volume hierarchies"), folded into nodes of eight.
 
-use super::bvh_nearest::{Bvh, ChildRef, LANES, Node, Packet};
-use super::local_mesh::LocalMesh;
+use super::bvh::{Bvh, LANES, MAX_DEPTH, Node, Packet};
+use super::bvh_fold::{Layout, Tree};
+use super::bvh_nearest::Finder;
+use super::local_mesh::{Bounds, LocalMesh};
+use super::oriented_box::OrientedBox;
 use rayon::prelude::*;
 
 /// Bins along each axis.
@@ -10,8 +13,6 @@ const BINS: usize = 16;
 /// From this many triangles on, the two halves of a split are built in parallel. It bears on speed
 /// alone: the tree is the same.
 const PARALLEL: usize = 8192;
-/// Levels below the root: beyond it a split is at the median, so that a search needs a bounded stack.
-pub(super) const MAX_DEPTH: usize = 48;
 
 /// A triangle as the builder sees it.
 #[derive(Clone, Copy)]
@@ -27,69 +28,39 @@ impl Primitive {
     }
 }
 
-/// A box in single precision.
-#[derive(Clone, Copy)]
-pub(super) struct Bounds {
-    pub(super) min: [f32; 3],
-    pub(super) max: [f32; 3],
+fn bounds_of(primitives: &[Primitive]) -> Bounds {
+    primitives.iter().fold(Bounds::EMPTY, |all, primitive| all.joined(primitive.bounds))
 }
 
-impl Bounds {
-    pub(super) const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
-
-    fn joined(self, other: Self) -> Self {
-        let min = |k: usize| {
-            if other.min[k] < self.min[k] { other.min[k] } else { self.min[k] }
-        };
-        let max = |k: usize| {
-            if other.max[k] > self.max[k] { other.max[k] } else { self.max[k] }
-        };
-        Self { min: [min(0), min(1), min(2)], max: [max(0), max(1), max(2)] }
-    }
-
-    fn around(primitives: &[Primitive]) -> Self {
-        primitives.iter().fold(Self::EMPTY, |all, primitive| all.joined(primitive.bounds))
-    }
-
-    /// Half the surface area; zero for an empty box.
-    fn half_area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|k| (self.max[k] - self.min[k]).max(0.0));
-        x * y + y * z + z * x
-    }
-}
-
-enum Tree {
-    Leaf { bounds: Bounds, start: usize, count: usize },
-    Inner { bounds: Bounds, halves: Box<[Tree; 2]> },
-}
-
-impl Tree {
-    fn bounds(&self) -> Bounds {
-        match self {
-            Self::Leaf { bounds, .. } | Self::Inner { bounds, .. } => *bounds,
-        }
-    }
-}
-
-/// Builds the tree. It depends on the mesh alone, not on threads.
-pub(super) fn build(mesh: &LocalMesh) -> Bvh {
+/// Builds the tree, and puts the mesh into its order. It depends on the mesh alone, not on threads.
+pub(super) fn build(mesh: &LocalMesh) -> Finder {
     let mut primitives: Vec<Primitive> = (0..mesh.triangles.len() as u32)
         .into_par_iter()
         .map(|triangle| Primitive { bounds: mesh.bounds(triangle), triangle })
         .collect();
     let tree = split(&mut primitives, 0, 0);
-    let mut bvh = Bvh { nodes: Vec::new(), packets: Vec::new() };
-    bvh.nodes.push(Node::EMPTY);
-    fold(&tree, &primitives, mesh, 0, &mut bvh);
-    bvh
+    let order: Vec<u32> = primitives.iter().map(|primitive| primitive.triangle).collect();
+    let mesh = mesh.reordered(&order);
+
+    let layout = Layout::of(&tree);
+    let packets = layout.packets.par_iter().map(|range| Packet::new(&mesh, range.clone()));
+    let nodes = layout.nodes.par_iter().map(|children| {
+        let mut node = Node::EMPTY;
+        for (lane, (tree, child)) in children.iter().enumerate() {
+            node.set_child(lane, &OrientedBox::around(&mesh, tree), *child);
+        }
+        node
+    });
+    let bvh = Bvh { nodes: nodes.collect(), packets: packets.collect() };
+    Finder { mesh, bvh }
 }
 
 /// Splits until a leaf fills at most one packet. `start` is the place of `primitives` in the whole.
 fn split(primitives: &mut [Primitive], start: usize, depth: usize) -> Tree {
     let count = primitives.len();
-    let bounds = Bounds::around(primitives);
+    let bounds = bounds_of(primitives);
     if count <= LANES {
-        return Tree::Leaf { bounds, start, count };
+        return Tree::leaf(bounds, start..start + count);
     }
 
     // Levels that median splits of the rest would take.
@@ -103,7 +74,7 @@ fn split(primitives: &mut [Primitive], start: usize, depth: usize) -> Tree {
     let mut build_right = || split(right, start + middle, depth + 1);
     let (left, right) =
         if count >= PARALLEL { rayon::join(build_left, build_right) } else { (build_left(), build_right()) };
-    Tree::Inner { bounds, halves: Box::new([left, right]) }
+    Tree::inner(bounds, left, right)
 }
 
 /// A split: primitives whose bin along `axis` is below `bin` go left.
@@ -182,7 +153,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
 
 /// Splits at the median of the longest axis, at a multiple of the packet size.
 fn halve(primitives: &mut [Primitive]) -> usize {
-    let bounds = Bounds::around(primitives);
+    let bounds = bounds_of(primitives);
     let size = [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]);
     let axis = (0..3).fold(0, |longest, k| if size[k] > size[longest] { k } else { longest });
     let middle = (primitives.len() / 2).next_multiple_of(LANES);
@@ -190,41 +161,4 @@ fn halve(primitives: &mut [Primitive]) -> usize {
         a.centre(axis).total_cmp(&b.centre(axis)).then(a.triangle.cmp(&b.triangle))
     });
     middle
-}
-
-/// Writes a tree into node `index`: its largest subtrees are opened until there are eight.
-fn fold(tree: &Tree, primitives: &[Primitive], mesh: &LocalMesh, index: usize, bvh: &mut Bvh) {
-    let mut children = vec![tree];
-    while children.len() < LANES {
-        let area = |child: &&Tree| match child {
-            Tree::Inner { bounds, .. } => bounds.half_area(),
-            Tree::Leaf { .. } => -1.0,
-        };
-        let Some(largest) = (0..children.len()).max_by(|&a, &b| area(&children[a]).total_cmp(&area(&children[b])))
-        else {
-            break;
-        };
-        let Tree::Inner { halves, .. } = children[largest] else {
-            break;
-        };
-        children[largest] = &halves[0];
-        children.insert(largest + 1, &halves[1]);
-    }
-
-    for (lane, child) in children.into_iter().enumerate() {
-        let reference = match child {
-            Tree::Leaf { start, count, .. } => {
-                let triangles = primitives[*start..start + count].iter().map(|primitive| primitive.triangle);
-                bvh.packets.push(Packet::new(mesh, triangles));
-                ChildRef::packet(bvh.packets.len() - 1)
-            }
-            Tree::Inner { .. } => {
-                bvh.nodes.push(Node::EMPTY);
-                let child_index = bvh.nodes.len() - 1;
-                fold(child, primitives, mesh, child_index, bvh);
-                ChildRef::node(child_index)
-            }
-        };
-        bvh.nodes[index].set_child(lane, child.bounds(), reference);
-    }
 }

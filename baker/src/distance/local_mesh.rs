@@ -1,7 +1,6 @@
 //! The triangles in the frame of the search: centred, and scaled by a power of two to fit
 //! [−1, 1]³, so that single precision is worth the same for every mesh.
 
-use super::bvh_build::Bounds;
 use crate::mesh::CheckedMesh;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -36,13 +35,34 @@ pub(super) struct LocalMesh {
     pub(super) frame: Frame,
     pub(super) positions: Vec<DVec3>,
     pub(super) triangles: Vec<[u32; 3]>,
+    /// Number of each triangle in the mesh.
+    pub(super) numbers: Vec<u32>,
 }
 
 impl LocalMesh {
     pub(super) fn new(mesh: &CheckedMesh) -> Self {
         let frame = Frame::around(mesh);
         let positions = mesh.positions.par_iter().map(|&position| frame.to_local(position)).collect();
-        Self { frame, positions, triangles: mesh.triangles.clone() }
+        let numbers = (0..mesh.triangles.len() as u32).collect();
+        Self { frame, positions, triangles: mesh.triangles.clone(), numbers }
+    }
+
+    /// The same mesh with its triangles in this order and its vertices in the order of their use, so
+    /// that what is near in space is near in memory.
+    pub(super) fn reordered(&self, order: &[u32]) -> Self {
+        let mut triangles: Vec<[u32; 3]> = order.iter().map(|&triangle| self.triangles[triangle as usize]).collect();
+        let mut renumbered = vec![u32::MAX; self.positions.len()];
+        let mut positions = Vec::with_capacity(self.positions.len());
+        for vertex in triangles.as_flattened_mut() {
+            let number = &mut renumbered[*vertex as usize];
+            if *number == u32::MAX {
+                *number = positions.len() as u32;
+                positions.push(self.positions[*vertex as usize]);
+            }
+            *vertex = *number;
+        }
+        let numbers = order.iter().map(|&triangle| self.numbers[triangle as usize]).collect();
+        Self { frame: self.frame, positions, triangles, numbers }
     }
 
     pub(super) fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -61,6 +81,33 @@ fn round_down(value: f64) -> f32 {
     if f64::from(nearest) > value { nearest.next_down() } else { nearest }
 }
 
-fn round_up(value: f64) -> f32 {
+pub(super) fn round_up(value: f64) -> f32 {
     -round_down(-value)
+}
+
+/// A box in single precision.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds {
+    pub(super) min: [f32; 3],
+    pub(super) max: [f32; 3],
+}
+
+impl Bounds {
+    pub(super) const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
+
+    pub(super) fn joined(self, other: Self) -> Self {
+        let min = |k: usize| {
+            if other.min[k] < self.min[k] { other.min[k] } else { self.min[k] }
+        };
+        let max = |k: usize| {
+            if other.max[k] > self.max[k] { other.max[k] } else { self.max[k] }
+        };
+        Self { min: [min(0), min(1), min(2)], max: [max(0), max(1), max(2)] }
+    }
+
+    /// Half the surface area; zero for an empty box.
+    pub(super) fn half_area(&self) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|k| (self.max[k] - self.min[k]).max(0.0));
+        x * y + y * z + z * x
+    }
 }

@@ -1,18 +1,23 @@
 //! The exact signed distance to a mesh: closest triangle by a tree, sign by pseudonormals or
 //! winding numbers.
 
+mod bvh;
 mod bvh_build;
+mod bvh_fold;
 mod bvh_nearest;
 mod local_mesh;
+mod neighbours;
+mod oriented_box;
 mod pseudonormal;
 pub mod triangle;
 mod winding;
 
 use crate::field_function::{FieldFunction, Sample};
 use crate::mesh::{CheckedMesh, Topology};
-use bvh_nearest::{Bvh, Nearest, Scratch};
+use bvh_nearest::{Finder, Nearest};
 use glam::DVec3;
 use local_mesh::LocalMesh;
+use neighbours::nearest_of_each;
 use pseudonormal::Pseudonormals;
 use rayon::prelude::*;
 use winding::WindingTree;
@@ -60,8 +65,7 @@ impl SignChoice {
 /// Distances agree with an exhaustive search to rounding (some 1e-15 of the mesh's size), and do not
 /// depend on the sign method. The answer at a point depends on the mesh and the point alone.
 pub struct SignedDistance {
-    mesh: LocalMesh,
-    bvh: Bvh,
+    finder: Finder,
     pseudonormals: Pseudonormals,
     winding: Option<WindingTree>,
 }
@@ -70,54 +74,53 @@ impl SignedDistance {
     /// Builds the search tree and what the sign needs.
     ///
     /// # Panics
-    /// For 2³⁰ triangles or more.
+    /// For 2²⁸ triangles or more.
     pub fn new(mesh: &CheckedMesh, method: SignMethod) -> Self {
-        assert!(mesh.triangles.len() < 1 << 30, "a mesh of fewer than 2^30 triangles");
-        let mesh = LocalMesh::new(mesh);
-        let bvh = bvh_build::build(&mesh);
-        let pseudonormals = Pseudonormals::new(&mesh);
-        let winding = (method == SignMethod::Winding).then(|| WindingTree::new(&mesh, &bvh));
-        Self { mesh, bvh, pseudonormals, winding }
+        assert!(mesh.triangles.len() < 1 << 28, "a mesh of fewer than 2^28 triangles");
+        let finder = bvh_build::build(&LocalMesh::new(mesh));
+        let pseudonormals = Pseudonormals::new(&finder.mesh);
+        let winding = (method == SignMethod::Winding).then(|| WindingTree::new(&finder));
+        Self { finder, pseudonormals, winding }
     }
 
-    /// Samples points one after the other: each starts from the answer of the one before.
+    /// Samples points, best each near the one before.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
-        let (mut scratch, mut seed) = (Scratch::new(), None);
-        for (sample, &point) in samples.iter_mut().zip(points) {
-            (*sample, seed) = self.sample_seeded(point, seed, &mut scratch);
+        let local = |&point| Some(self.finder.mesh.frame.to_local(point)).filter(|p| p.is_finite());
+        let searched: Vec<DVec3> = points.iter().map(|point| local(point).unwrap_or_default()).collect();
+        nearest_of_each(&self.finder, &searched, |k, nearest| {
+            samples[k] = self.signed(searched[k], nearest);
+        });
+        for (sample, point) in samples.iter_mut().zip(points) {
+            if local(point).is_none() {
+                *sample = Sample { distance: f64::NAN, gradient: DVec3::ZERO };
+            }
         }
-    }
-
-    fn sample_seeded(&self, point: DVec3, seed: Option<u32>, scratch: &mut Scratch) -> (Sample, Option<u32>) {
-        let local = self.mesh.frame.to_local(point);
-        if !local.is_finite() {
-            return (Sample { distance: f64::NAN, gradient: DVec3::ZERO }, seed);
-        }
-        let nearest = self.bvh.nearest(&self.mesh, local, seed, scratch);
-        (self.signed(local, nearest), Some(nearest.triangle))
     }
 
     fn signed(&self, local: DVec3, Nearest { triangle, closest }: Nearest) -> Sample {
         let offset = local - closest.point;
         let distance = closest.distance_squared.sqrt();
-        let on_surface = distance <= ON_SURFACE;
 
         // The pseudonormal is read only where it is needed: it costs a trip to memory.
-        let pseudonormal = || self.pseudonormals.at(&self.mesh, triangle, closest.feature);
+        let pseudonormal = || self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature);
         let is_inside = match &self.winding {
-            Some(winding) => winding.at(&self.mesh, &self.bvh, local) > 0.5,
+            Some(winding) => winding.at(&self.finder, local) > 0.5,
             None => offset.dot(pseudonormal()) < 0.0,
         };
         let sign = if is_inside { -1.0 } else { 1.0 };
-        let gradient = if on_surface { pseudonormal().normalize_or_zero() } else { offset * (sign / distance) };
-        Sample { distance: sign * self.mesh.frame.length_from_local(distance), gradient }
+        let gradient =
+            if distance > ON_SURFACE { offset * (sign / distance) } else { pseudonormal().normalize_or_zero() };
+        Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance), gradient }
     }
 }
 
 impl FieldFunction for SignedDistance {
-    /// NaN, with a zero gradient, for a point that is not finite.
+    /// NaN, with a zero gradient, for a point that is not finite or too far away for its distance to
+    /// be.
     fn sample(&self, point: DVec3) -> Sample {
-        self.sample_seeded(point, None, &mut Scratch::new()).0
+        let mut sample = [Sample::default()];
+        self.sample_in_turn(&[point], &mut sample);
+        sample[0]
     }
 
     fn sample_all(&self, points: &[DVec3]) -> Vec<Sample> {
@@ -127,12 +130,12 @@ impl FieldFunction for SignedDistance {
         samples
     }
 
-    /// With winding numbers: between ¼ and ¾ in size, where the holes seen from the point span about
-    /// a quarter of its sphere of directions. With pseudonormals: never, as they are for closed
-    /// meshes.
+    /// With winding numbers: where the number is between ¼ and ¾ in size, that is, where the holes
+    /// span a quarter of all directions or more, or within rounding of the surface. With
+    /// pseudonormals: nowhere, for they are meant for closed meshes.
     fn sign_is_doubtful(&self, point: DVec3) -> bool {
         self.winding.as_ref().is_some_and(|winding| {
-            let number = winding.at(&self.mesh, &self.bvh, self.mesh.frame.to_local(point)).abs();
+            let number = winding.at(&self.finder, self.finder.mesh.frame.to_local(point)).abs();
             (0.25..0.75).contains(&number)
         })
     }

@@ -26,56 +26,92 @@ pub struct Closest {
 
 /// Finds the closest point of a triangle.
 ///
-/// The answer is the best of four: the closest points of the three edges, and, where the query
+/// The answer is the best of four: the closest points of the three edges and, where the query
 /// projects inside, of the face. Each of the four lies on the triangle whatever rounding did to its
 /// parameters, so obtuse, needle-like and fully degenerate triangles (whose corners may coincide)
 /// never report less than their distance, and more only by the rounding of one vector.
 pub fn closest_point(query: DVec3, corners: [DVec3; 3]) -> Closest {
-    let [a, b, c] = corners;
-    let [ab, ac] = [b - a, c - a];
-    let to_query = query - a;
-
-    // The closest edge point; a tie goes to a corner.
-    let mut closest = closest_on_edge(query, corners, 0);
-    for edge in [1, 2] {
-        let candidate = closest_on_edge(query, corners, edge);
-        if candidate.distance_squared < closest.distance_squared {
-            closest = candidate;
+    let places = Places::new(query, corners);
+    let distance_squared = places.distance_squared();
+    let closest = |point, feature| Closest { point, distance_squared, feature };
+    let [ab, _, ca] = places.edges;
+    match (0..3).find(|&k| places.edge_distances[k] == distance_squared) {
+        None => closest(corners[0] + (ab * places.face[0] - ca * places.face[1]), Feature::Face),
+        Some(k) => {
+            let along = places.along[k];
+            if along == 0.0 {
+                closest(corners[k], Feature::Vertex(k as u8))
+            } else if along == 1.0 {
+                let end = (k + 1) % 3;
+                closest(corners[end], Feature::Vertex(end as u8))
+            } else {
+                closest(corners[k] + places.edges[k] * along, Feature::Edge(k as u8))
+            }
         }
     }
-
-    // Barycentric coordinates of the projection; a triangle without area gives NaN or nonsense
-    // here, and the comparisons or the edges above win.
-    let normal = ab.cross(ac);
-    let across = to_query.cross(normal);
-    let area_squared = normal.length_squared();
-    let along_ab = -ac.dot(across) / area_squared;
-    let along_ac = ab.dot(across) / area_squared;
-    if along_ab > 0.0 && along_ac > 0.0 && along_ab + along_ac < 1.0 {
-        let offset = along_ab * ab + along_ac * ac;
-        let distance_squared = (to_query - offset).length_squared();
-        // The face must win by more than rounding: next to an edge, the edge's pseudonormal is the
-        // one that cannot be grazed.
-        if distance_squared < closest.distance_squared * (1.0 - 4.0 * f64::EPSILON) {
-            closest = Closest { point: a + offset, distance_squared, feature: Feature::Face };
-        }
-    }
-    closest
 }
 
-fn closest_on_edge(query: DVec3, corners: [DVec3; 3], edge: u8) -> Closest {
-    let next = (edge + 1) % 3;
-    let (start, end) = (corners[edge as usize], corners[next as usize]);
-    let direction = end - start;
-    let along = (query - start).dot(direction);
-    let length_squared = direction.length_squared();
+/// The squared distance that [`closest_point`] reports.
+pub(super) fn distance_squared(query: DVec3, corners: [DVec3; 3]) -> f64 {
+    Places::new(query, corners).distance_squared()
+}
 
-    let (point, feature) = if along >= length_squared && length_squared > 0.0 {
-        (end, Feature::Vertex(next))
-    } else if along > 0.0 {
-        (start + direction * (along / length_squared), Feature::Edge(edge))
-    } else {
-        (start, Feature::Vertex(edge))
-    };
-    Closest { point, distance_squared: (query - point).length_squared(), feature }
+/// The four places where the closest point may be. Computed without branches: which place wins
+/// cannot be predicted.
+struct Places {
+    edges: [DVec3; 3],
+    /// Parameter of each edge's closest point, 0 to 1.
+    along: [f64; 3],
+    /// Squared distance to each edge.
+    edge_distances: [f64; 3],
+    /// Barycentric coordinates of the projection, along ab and ac.
+    face: [f64; 2],
+    /// Squared distance to the face; infinite where the query does not project inside.
+    face_distance: f64,
+}
+
+impl Places {
+    #[inline(always)]
+    fn new(query: DVec3, corners: [DVec3; 3]) -> Self {
+        let [a, b, c] = corners;
+        let (from_a, from_b, from_c) = (query - a, query - b, query - c);
+        let (ab, bc, ca) = (b - a, c - b, a - c);
+        let (along_ab, to_ab) = to_edge(from_a, ab);
+        let (along_bc, to_bc) = to_edge(from_b, bc);
+        let (along_ca, to_ca) = to_edge(from_c, ca);
+
+        // A triangle without area gives NaN or nonsense here; the comparisons or the edges win.
+        let normal = ca.cross(ab);
+        let across = from_a.cross(normal) * (1.0 / normal.length_squared());
+        let (face_ab, face_ac) = (ca.dot(across), ab.dot(across));
+        let is_inside = (face_ab > 0.0) & (face_ac > 0.0) & (face_ab + face_ac < 1.0);
+        let face_distance = (from_a - (ab * face_ab - ca * face_ac)).length_squared();
+        Self {
+            edges: [ab, bc, ca],
+            along: [along_ab, along_bc, along_ca],
+            edge_distances: [to_ab, to_bc, to_ca],
+            face: [face_ab, face_ac],
+            face_distance: if is_inside { face_distance } else { f64::INFINITY },
+        }
+    }
+
+    #[inline(always)]
+    fn distance_squared(&self) -> f64 {
+        let least = |a: f64, b: f64| if a < b { a } else { b };
+        let [a, b, c] = self.edge_distances;
+        let edge = least(least(a, b), c);
+        // The face must win by more than rounding: right beside an edge the edge's pseudonormal is
+        // the one that the query cannot graze.
+        if self.face_distance < edge * (1.0 - 4.0 * f64::EPSILON) { self.face_distance } else { edge }
+    }
+}
+
+/// Parameter of the closest point of an edge, from 0 to 1, and the squared distance to it.
+#[inline(always)]
+fn to_edge(from_start: DVec3, edge: DVec3) -> (f64, f64) {
+    // A parameter that is not a number, on an edge without length, becomes zero.
+    let along = from_start.dot(edge) / edge.length_squared();
+    let along = if along > 0.0 { along } else { 0.0 };
+    let along = if along < 1.0 { along } else { 1.0 };
+    (along, (from_start - edge * along).length_squared())
 }

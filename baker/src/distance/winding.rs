@@ -5,8 +5,8 @@
 //! A triangle contributes its solid angle ÷ 4π; all triangles of a closed surface sum to 1 inside
 //! and 0 outside, and a hole blurs the step between them.
 
-use super::bvh_nearest::{Bvh, Child, LANES, Node};
-use super::local_mesh::LocalMesh;
+use super::bvh::{Child, LANES, STACK, is_within_reach, splat};
+use super::bvh_nearest::Finder;
 use crate::geometry::area_vector;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -14,8 +14,6 @@ use wide::f32x8;
 
 /// A node is far when the query is beyond this many radii from its centre.
 const FAR: f64 = 2.0;
-/// Entries of the stack, by the depth of the tree.
-const STACK: usize = super::bvh_nearest::STACK;
 
 pub(super) struct WindingTree {
     dipoles: Vec<Dipoles>,
@@ -38,55 +36,70 @@ struct Cluster {
     area_times_centre: DVec3,
     /// Sum of area vectors.
     moment: DVec3,
+    /// Distance of the farthest corner from the centre, at most.
+    radius: f64,
 }
 
 impl Cluster {
     fn of_triangle(corners: [DVec3; 3]) -> Self {
         let moment = 0.5 * area_vector(corners);
         let area = moment.length();
-        let [a, b, c] = corners;
-        Self { area, area_times_centre: area * (a + b + c) / 3.0, moment }
+        let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let radius = corners.map(|corner| corner.distance(centre)).into_iter().fold(0.0, f64::max);
+        Self { area, area_times_centre: area * centre, moment, radius }
     }
 
-    fn plus(self, other: Self) -> Self {
-        Self {
-            area: self.area + other.area,
-            area_times_centre: self.area_times_centre + other.area_times_centre,
-            moment: self.moment + other.moment,
+    fn of(parts: &[Self]) -> Self {
+        let mut whole = Self {
+            area: parts.iter().map(|part| part.area).sum(),
+            area_times_centre: parts.iter().map(|part| part.area_times_centre).sum(),
+            moment: parts.iter().map(|part| part.moment).sum(),
+            radius: 0.0,
+        };
+        for part in parts {
+            whole.radius = whole.radius.max(part.centre().distance(whole.centre()) + part.radius);
         }
+        whole
+    }
+
+    fn centre(&self) -> DVec3 {
+        self.area_times_centre / self.area
     }
 }
 
 impl WindingTree {
-    pub(super) fn new(mesh: &LocalMesh, bvh: &Bvh) -> Self {
+    pub(super) fn new(Finder { mesh, bvh }: &Finder) -> Self {
         // Children come after their parents: from the last node to the first, each finds its
         // children's sums ready.
         let mut sums = vec![Cluster::default(); bvh.nodes.len()];
         let mut dipoles: Vec<Dipoles> = bvh.nodes.iter().map(|_| Dipoles::NONE).collect();
         for (index, node) in bvh.nodes.iter().enumerate().rev() {
+            let mut parts = Vec::with_capacity(LANES);
             for lane in 0..LANES {
-                let cluster = match node.child(lane) {
+                let part = match node.child(lane) {
                     None => continue,
                     Some(Child::Node(child)) => sums[child],
-                    Some(Child::Packet(packet)) => bvh.packets[packet]
-                        .triangles()
-                        .map(|triangle| Cluster::of_triangle(mesh.corners(triangle)))
-                        .fold(Cluster::default(), Cluster::plus),
+                    Some(Child::Packet(packet)) => {
+                        let triangles = bvh.packets[packet].triangles();
+                        let corners = triangles.map(|triangle| mesh.corners(triangle));
+                        Cluster::of(&corners.map(Cluster::of_triangle).collect::<Vec<_>>())
+                    }
                 };
-                sums[index] = sums[index].plus(cluster);
-                dipoles[index].set(lane, cluster, node);
+                dipoles[index].set(lane, &part);
+                parts.push(part);
             }
+            sums[index] = Cluster::of(&parts);
         }
         Self { dipoles }
     }
 
     /// The winding number of the mesh around a local point: off by some 0.01 where the dipoles do
     /// worst. Zero for points very far away.
-    pub(super) fn at(&self, mesh: &LocalMesh, bvh: &Bvh, point: DVec3) -> f64 {
-        if !super::bvh_nearest::is_within_reach(point) {
+    pub(super) fn at(&self, Finder { mesh, bvh }: &Finder, point: DVec3) -> f64 {
+        if !is_within_reach(point) {
             return 0.0;
         }
-        let query = point.as_vec3().to_array().map(f32x8::splat);
+        let query = splat(point);
         let mut far_sum = 0.0;
         let mut near_sum = SolidAngles::default();
         let mut stack = [0u32; STACK];
@@ -95,9 +108,9 @@ impl WindingTree {
             height -= 1;
             let index = stack[height] as usize;
             let (values, far) = self.dipoles[index].at(query);
-            for lane in 0..LANES {
+            for (lane, value) in values.into_iter().enumerate() {
                 if far & (1 << lane) != 0 {
-                    far_sum += f64::from(values[lane]);
+                    far_sum += f64::from(value);
                     continue;
                 }
                 match bvh.nodes[index].child(lane) {
@@ -123,9 +136,9 @@ impl Dipoles {
     const NONE: Self =
         Self { centre: [f32x8::ZERO; 3], moment: [f32x8::ZERO; 3], far_squared: f32x8::splat(f32::INFINITY) };
 
-    fn set(&mut self, lane: usize, cluster: Cluster, node: &Node) {
-        let centre = cluster.area_times_centre / cluster.area;
-        let radius = node.farthest_corner(lane, centre);
+    fn set(&mut self, lane: usize, cluster: &Cluster) {
+        let Cluster { radius, .. } = cluster;
+        let centre = cluster.centre();
         for axis in 0..3 {
             self.centre[axis].as_mut_array()[lane] = centre[axis] as f32;
             self.moment[axis].as_mut_array()[lane] = (cluster.moment[axis] / (4.0 * PI)) as f32;

@@ -29,9 +29,26 @@ impl Topology {
         Self { components: count_components(triangles, vertices), ..found }
     }
 
-    /// Whether angle-weighted pseudonormals give the right sign: closed, manifold along edges, consistently wound.
+    /// Whether angle-weighted pseudonormals give the right sign: closed, manifold along edges,
+    /// consistently wound.
     pub fn is_closed_and_oriented(&self) -> bool {
         self.boundary_edges == 0 && self.non_manifold_edges == 0 && self.inconsistent_edges == 0
+    }
+
+    /// Why pseudonormals cannot sign this mesh, in one sentence; nothing when they can.
+    pub fn pseudonormal_obstacle(&self) -> Option<String> {
+        let flaws: Vec<String> = [
+            (self.boundary_edges, "at the rim of a hole"),
+            (self.non_manifold_edges, "shared by more than two triangles"),
+            (self.inconsistent_edges, "whose triangles disagree on the outside"),
+        ]
+        .into_iter()
+        .filter(|&(count, _)| count > 0)
+        .map(|(count, flaw)| format!("{count} {} {flaw}", if count == 1 { "edge" } else { "edges" }))
+        .collect();
+        let (last, others) = flaws.split_last()?;
+        let list = if others.is_empty() { last.clone() } else { format!("{} and {last}", others.join(", ")) };
+        Some(format!("pseudonormals cannot tell inside from outside: the mesh has {list}"))
     }
 
     fn visit_vertex(&mut self, vertex: usize, sides: &[Side]) {
