@@ -8,9 +8,15 @@ mod architecture;
 mod continuity;
 /// The same mesh and settings give the same bytes on any number of threads.
 mod determinism;
+/// The distance engine agrees with every triangle and with formulas.
+mod distance;
+/// Grids answer as the papers say, whatever their order, reconstruction and precision.
+mod grids;
 /// What was baked is what is read.
 mod round_trip;
 /// Meshes that the other modules bake.
 mod shapes;
+/// Shapes with known distances, and an oracle too simple to be wrong.
+mod support;
 /// A file that is not whole is refused.
 mod truncation;

@@ -234,7 +234,7 @@ fn quiet_is_quiet_but_warns() {
     let stderr = bake.succeeds().stderr();
     assert_eq!(bake.stdout(), "");
     let about_the_hole = stderr.lines().next().expect("a warning");
-    for words in ["warning: ", "open.obj", "3 boundary edges", "winding numbers"] {
+    for words in ["warning: ", "open.obj", "3 edges at the rim of a hole", "winding numbers"] {
         assert!(about_the_hole.contains(words), "no {words:?} in {stderr}");
     }
 
@@ -315,6 +315,7 @@ fn points_that_are_no_points_end_with_3() {
     bench.run_with_input("query cube.nfd", b"0 0 0\n0 0\n").fails(3, &["line 2", "x y z"]);
     bench.run("query cube.nfd --points half.f32 -o out.f32").fails(3, &["half.f32"]);
     bench.run("query cube.nfd --points missing.f32 -o out.f32").fails(3, &["missing.f32"]);
+    bench.run("bench cube.nfd --points half.f32").fails(3, &["half.f32"]);
     assert!(!bench.path("out.f32").exists(), "no partial file");
 }
 
@@ -385,4 +386,10 @@ fn the_bench_compares_with_a_dense_grid() {
             assert!(set[figure].as_f64().expect("a number") > 0.0, "{figure}");
         }
     }
+
+    // Inside, outside and on a corner of the mesh.
+    let points: [[f32; 3]; 3] = [[0.5, 0.5, 0.5], [9.0, 0.0, 0.0], [1.0, 1.0, 1.0]];
+    bench.write("points.f32", points.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>());
+    let given = bench.run("bench cube.nfd --points points.f32").succeeds().stdout();
+    assert!(given.contains("given") && !given.contains("random"), "{given}");
 }
