@@ -56,7 +56,7 @@ fn local_coordinates_stay_within_the_leaf() {
     file.box_min = [100.1, -7.3, 0.01];
     let bytes = file.bytes();
     let field = open(&bytes);
-    let (octree, bounds) = (field.octree(), field.header().bounds);
+    let (octree, bounds) = (field.octree().expect("an octree"), field.header().bounds);
     let mut random = Random::new(3);
     for _ in 0..5000 {
         let unit = random.point();
