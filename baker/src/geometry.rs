@@ -13,17 +13,11 @@ pub struct Aabb {
 
 impl Aabb {
     /// The box that holds nothing; joining it with a point gives that point.
-    pub const EMPTY: Self = Self {
-        min: DVec3::INFINITY,
-        max: DVec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
     /// The smallest box around the points.
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |aabb, point| Self {
-            min: aabb.min.min(point),
-            max: aabb.max.max(point),
-        })
+        points.into_iter().fold(Self::EMPTY, |aabb, point| Self { min: aabb.min.min(point), max: aabb.max.max(point) })
     }
 
     /// Extent along each axis.
@@ -44,10 +38,7 @@ impl Aabb {
 
     /// This box with `by` added on every side.
     pub fn grown(&self, by: f64) -> Self {
-        Self {
-            min: self.min - by,
-            max: self.max + by,
-        }
+        Self { min: self.min - by, max: self.max + by }
     }
 }
 
@@ -82,6 +73,5 @@ pub fn has_area(corners: [DVec3; 3]) -> bool {
     let mut lengths = [ab, bc, ca].map(|edge| (edge / longest).length());
     lengths.sort_unstable_by(f64::total_cmp);
     let [shortest, middle, _] = lengths;
-    area_vector([DVec3::ZERO, ab / longest, -ca / longest]).length()
-        > 8.0 * f64::EPSILON * shortest * middle
+    area_vector([DVec3::ZERO, ab / longest, -ca / longest]).length() > 8.0 * f64::EPSILON * shortest * middle
 }

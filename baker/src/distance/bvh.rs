@@ -78,11 +78,7 @@ impl ChildRef {
 
     pub(super) fn child(self) -> Child {
         let index = (self.0 & !Self::PACKET) as usize;
-        if self.0 & Self::PACKET == 0 {
-            Child::Node(index)
-        } else {
-            Child::Packet(index)
-        }
+        if self.0 & Self::PACKET == 0 { Child::Node(index) } else { Child::Packet(index) }
     }
 }
 
@@ -180,11 +176,7 @@ impl Packet {
             self.ab[axis].as_mut_array()[lane] = (b - a)[axis] as f32;
             self.ac[axis].as_mut_array()[lane] = (c - a)[axis] as f32;
         }
-        self.triangles[lane] = if is_thin(corners) {
-            triangle | THIN
-        } else {
-            triangle
-        };
+        self.triangles[lane] = if is_thin(corners) { triangle | THIN } else { triangle };
     }
 
     /// Copies a lane of another packet.
@@ -208,10 +200,7 @@ impl Packet {
     }
 
     pub(super) fn triangles(&self) -> impl Iterator<Item = u32> + Clone {
-        let used = self
-            .triangles
-            .into_iter()
-            .filter(|&triangle| triangle != NO_TRIANGLE);
+        let used = self.triangles.into_iter().filter(|&triangle| triangle != NO_TRIANGLE);
         used.map(|triangle| triangle & !THIN)
     }
 
@@ -230,9 +219,7 @@ impl Packet {
             let rest = minus(from_start, times(edge, along));
             dot(rest, rest)
         };
-        let boundary = edge(ap, ab)
-            .fast_min(edge(ap, ac))
-            .fast_min(edge(minus(ap, ab), minus(ac, ab)));
+        let boundary = edge(ap, ab).fast_min(edge(ap, ac)).fast_min(edge(minus(ap, ab), minus(ac, ab)));
 
         // Face, where the projection is inside.
         let normal = cross(ab, ac);
@@ -267,11 +254,7 @@ pub(super) fn dot(a: [f32x8; 3], b: [f32x8; 3]) -> f32x8 {
 
 #[inline(always)]
 pub(super) fn cross(a: [f32x8; 3], b: [f32x8; 3]) -> [f32x8; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Whether single precision may overstate the distance to a triangle by more than δ/2, for the

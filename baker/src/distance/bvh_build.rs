@@ -29,32 +29,21 @@ impl Primitive {
 }
 
 fn bounds_of(primitives: &[Primitive]) -> Bounds {
-    primitives
-        .iter()
-        .fold(Bounds::EMPTY, |all, primitive| all.joined(primitive.bounds))
+    primitives.iter().fold(Bounds::EMPTY, |all, primitive| all.joined(primitive.bounds))
 }
 
 /// Builds the tree, and puts the mesh into its order. It depends on the mesh alone, not on threads.
 pub(super) fn build(mesh: &LocalMesh) -> Finder {
     let mut primitives: Vec<Primitive> = (0..mesh.triangles.len() as u32)
         .into_par_iter()
-        .map(|triangle| Primitive {
-            bounds: mesh.bounds(triangle),
-            triangle,
-        })
+        .map(|triangle| Primitive { bounds: mesh.bounds(triangle), triangle })
         .collect();
     let tree = split(&mut primitives, 0, 0);
-    let order: Vec<u32> = primitives
-        .iter()
-        .map(|primitive| primitive.triangle)
-        .collect();
+    let order: Vec<u32> = primitives.iter().map(|primitive| primitive.triangle).collect();
     let mesh = mesh.reordered(&order);
 
     let layout = Layout::of(&tree);
-    let packets = layout
-        .packets
-        .par_iter()
-        .map(|range| Packet::new(&mesh, range.clone()));
+    let packets = layout.packets.par_iter().map(|range| Packet::new(&mesh, range.clone()));
     let nodes = layout.nodes.par_iter().map(|children| {
         let mut node = Node::EMPTY;
         for (lane, (tree, child)) in children.iter().enumerate() {
@@ -62,10 +51,7 @@ pub(super) fn build(mesh: &LocalMesh) -> Finder {
         }
         node
     });
-    let bvh = Bvh {
-        nodes: nodes.collect(),
-        packets: packets.collect(),
-    };
+    let bvh = Bvh { nodes: nodes.collect(), packets: packets.collect() };
     Finder { mesh, bvh }
 }
 
@@ -86,11 +72,8 @@ fn split(primitives: &mut [Primitive], start: usize, depth: usize) -> Tree {
     let (left, right) = primitives.split_at_mut(middle);
     let mut build_left = || split(left, start, depth + 1);
     let mut build_right = || split(right, start + middle, depth + 1);
-    let (left, right) = if count >= PARALLEL {
-        rayon::join(build_left, build_right)
-    } else {
-        (build_left(), build_right())
-    };
+    let (left, right) =
+        if count >= PARALLEL { rayon::join(build_left, build_right) } else { (build_left(), build_right()) };
     Tree::inner(bounds, left, right)
 }
 
@@ -126,10 +109,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
     let mut centres = Bounds::EMPTY;
     for primitive in primitives {
         let centre = [0, 1, 2].map(|axis| primitive.centre(axis));
-        centres = centres.joined(Bounds {
-            min: centre,
-            max: centre,
-        });
+        centres = centres.joined(Bounds { min: centre, max: centre });
     }
 
     // Bins, all axes in one pass.
@@ -137,8 +117,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
     let mut bins = [[(Bounds::EMPTY, 0usize); BINS]; 3];
     for primitive in primitives {
         for axis in 0..3 {
-            let bin =
-                &mut bins[axis][bin_of(primitive.centre(axis), centres.min[axis], scale[axis])];
+            let bin = &mut bins[axis][bin_of(primitive.centre(axis), centres.min[axis], scale[axis])];
             *bin = (bin.0.joined(primitive.bounds), bin.1 + 1);
         }
     }
@@ -165,15 +144,7 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
             }
             let total = cost(left) + cost_right[bin];
             if best.as_ref().is_none_or(|(least, _)| total < *least) {
-                best = Some((
-                    total,
-                    Plane {
-                        axis,
-                        bin,
-                        low: centres.min[axis],
-                        scale: scale[axis],
-                    },
-                ));
+                best = Some((total, Plane { axis, bin, low: centres.min[axis], scale: scale[axis] }));
             }
         }
     }
@@ -184,15 +155,10 @@ fn best_split(primitives: &[Primitive]) -> Option<Plane> {
 fn halve(primitives: &mut [Primitive]) -> usize {
     let bounds = bounds_of(primitives);
     let size = [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]);
-    let axis = (0..3).fold(
-        0,
-        |longest, k| if size[k] > size[longest] { k } else { longest },
-    );
+    let axis = (0..3).fold(0, |longest, k| if size[k] > size[longest] { k } else { longest });
     let middle = (primitives.len() / 2).next_multiple_of(LANES);
     primitives.select_nth_unstable_by(middle, |a, b| {
-        a.centre(axis)
-            .total_cmp(&b.centre(axis))
-            .then(a.triangle.cmp(&b.triangle))
+        a.centre(axis).total_cmp(&b.centre(axis)).then(a.triangle.cmp(&b.triangle))
     });
     middle
 }

@@ -37,16 +37,8 @@ struct Forest {
 
 impl Tree {
     pub(super) fn leaf(bounds: Bounds, range: Range<usize>) -> Self {
-        let whole = Forest {
-            cost: bounds.half_area(),
-            roots: [0; 2],
-        };
-        Self {
-            bounds,
-            range,
-            forests: [whole; LANES],
-            content: Content::Leaf,
-        }
+        let whole = Forest { cost: bounds.half_area(), roots: [0; 2] };
+        Self { bounds, range, forests: [whole; LANES], content: Content::Leaf }
     }
 
     pub(super) fn inner(bounds: Bounds, left: Self, right: Self) -> Self {
@@ -60,22 +52,14 @@ impl Tree {
         };
 
         let node = share(LANES);
-        let whole = Forest {
-            cost: bounds.half_area() * NODE_COST + node.cost,
-            roots: [0; 2],
-        };
+        let whole = Forest { cost: bounds.half_area() * NODE_COST + node.cost, roots: [0; 2] };
         let mut forests = [whole; LANES];
         for count in 2..=LANES {
             forests[count - 1] = cheaper(forests[count - 2], share(count));
         }
         let range = left.range.start..right.range.end;
         let content = Content::Halves(Box::new([left, right]), node.roots);
-        Self {
-            bounds,
-            range,
-            forests,
-            content,
-        }
+        Self { bounds, range, forests, content }
     }
 
     /// Adds the roots of the forest of at most `count` roots.
@@ -121,10 +105,7 @@ impl<'a> Layout<'a> {
         }
         let index = self.nodes.len();
         self.nodes.push(Vec::new());
-        self.nodes[index] = roots
-            .into_iter()
-            .map(|root| (root, self.add(root)))
-            .collect();
+        self.nodes[index] = roots.into_iter().map(|root| (root, self.add(root))).collect();
         Child::Node(index)
     }
 

@@ -7,9 +7,7 @@
 //! and every triangle that ties with it, survives: the answer is the least (squared distance in
 //! double precision, triangle) over all triangles, whatever the order of the search.
 
-use super::bvh::{
-    Bvh, Child, ChildRef, LANES, Packet, Query, STACK, coarse_error, is_within_reach, splat,
-};
+use super::bvh::{Bvh, Child, ChildRef, LANES, Packet, Query, STACK, coarse_error, is_within_reach, splat};
 use super::local_mesh::LocalMesh;
 use super::triangle::{Closest, closest_point, distance_squared};
 use glam::DVec3;
@@ -53,10 +51,7 @@ pub(super) struct Scratch {
 
 impl Scratch {
     pub(super) fn new() -> Self {
-        Self {
-            stack: [(0.0, ChildRef::ROOT); STACK],
-            candidates: Vec::new(),
-        }
+        Self { stack: [(0.0, ChildRef::ROOT); STACK], candidates: Vec::new() }
     }
 }
 
@@ -80,12 +75,7 @@ pub(super) struct Decision<'a> {
 
 impl<'a> Decision<'a> {
     pub(super) fn new(mesh: &'a LocalMesh, point: DVec3) -> Self {
-        Self {
-            mesh,
-            point,
-            triangle: u32::MAX,
-            distance_squared: f64::INFINITY,
-        }
+        Self { mesh, point, triangle: u32::MAX, distance_squared: f64::INFINITY }
     }
 
     fn compare(&mut self, triangle: u32) {
@@ -103,10 +93,7 @@ impl<'a> Decision<'a> {
 
     fn best(&self) -> Nearest {
         let closest = closest_point(self.point, self.mesh.corners(self.triangle));
-        Nearest {
-            triangle: self.triangle,
-            closest,
-        }
+        Nearest { triangle: self.triangle, closest }
     }
 }
 
@@ -123,11 +110,7 @@ impl Coarse {
     /// A search for the triangles that may be closest to any point within `radius` of this one.
     pub(super) fn new(point: DVec3, radius: f64) -> Self {
         let margin = 2.0 * (coarse_error(point) + radius) as f32;
-        Self {
-            query: splat(point),
-            margin,
-            cut: f32::INFINITY,
-        }
+        Self { query: splat(point), margin, cut: f32::INFINITY }
     }
 
     /// Takes in that some triangle is at this squared distance in single precision.
@@ -205,18 +188,10 @@ impl Coarse {
             let lane = near.trailing_zeros() as usize % LANES;
             near &= near - 1;
             let is_thin = thin & (1 << lane) != 0;
-            let distance_squared = if is_thin {
-                box_distance_squared
-            } else {
-                distances[lane]
-            };
+            let distance_squared = if is_thin { box_distance_squared } else { distances[lane] };
             if distance_squared <= self.cut {
                 let place = (place * LANES + lane) as u32;
-                candidates.push(Candidate {
-                    distance_squared,
-                    place,
-                    triangle: packet.triangle(lane),
-                });
+                candidates.push(Candidate { distance_squared, place, triangle: packet.triangle(lane) });
             }
         }
     }
@@ -224,9 +199,7 @@ impl Coarse {
     /// Lanes within the cut, a bit each.
     #[inline(always)]
     fn near(&self, distances_squared: f32x8) -> u32 {
-        distances_squared
-            .simd_le(f32x8::splat(self.cut))
-            .to_bitmask()
+        distances_squared.simd_le(f32x8::splat(self.cut)).to_bitmask()
     }
 
     /// Decides among the candidates that the final cut leaves.
@@ -238,11 +211,7 @@ impl Coarse {
         match (left.next(), left.next()) {
             (Some(only), None) => decision.triangle = only,
             (first, second) => {
-                first
-                    .into_iter()
-                    .chain(second)
-                    .chain(left)
-                    .for_each(|triangle| decision.compare(triangle));
+                first.into_iter().chain(second).chain(left).for_each(|triangle| decision.compare(triangle));
             }
         }
         decision.best()

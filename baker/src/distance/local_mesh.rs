@@ -17,10 +17,7 @@ impl Frame {
         let half = 0.5 * mesh.bounds.size().max_element();
         let (_, exponent) = libm::frexp(half);
         // Within the exponents whose reciprocal is finite too.
-        Self {
-            origin: mesh.bounds.centre(),
-            scale: libm::ldexp(1.0, -exponent.clamp(-1000, 1000)),
-        }
+        Self { origin: mesh.bounds.centre(), scale: libm::ldexp(1.0, -exponent.clamp(-1000, 1000)) }
     }
 
     pub(super) fn to_local(self, point: DVec3) -> DVec3 {
@@ -45,27 +42,15 @@ pub(super) struct LocalMesh {
 impl LocalMesh {
     pub(super) fn new(mesh: &CheckedMesh) -> Self {
         let frame = Frame::around(mesh);
-        let positions = mesh
-            .positions
-            .par_iter()
-            .map(|&position| frame.to_local(position))
-            .collect();
+        let positions = mesh.positions.par_iter().map(|&position| frame.to_local(position)).collect();
         let numbers = (0..mesh.triangles.len() as u32).collect();
-        Self {
-            frame,
-            positions,
-            triangles: mesh.triangles.clone(),
-            numbers,
-        }
+        Self { frame, positions, triangles: mesh.triangles.clone(), numbers }
     }
 
     /// The same mesh with its triangles in this order and its vertices in the order of their use, so
     /// that what is near in space is near in memory.
     pub(super) fn reordered(&self, order: &[u32]) -> Self {
-        let mut triangles: Vec<[u32; 3]> = order
-            .iter()
-            .map(|&triangle| self.triangles[triangle as usize])
-            .collect();
+        let mut triangles: Vec<[u32; 3]> = order.iter().map(|&triangle| self.triangles[triangle as usize]).collect();
         let mut renumbered = vec![u32::MAX; self.positions.len()];
         let mut positions = Vec::with_capacity(self.positions.len());
         for vertex in triangles.as_flattened_mut() {
@@ -76,16 +61,8 @@ impl LocalMesh {
             }
             *vertex = *number;
         }
-        let numbers = order
-            .iter()
-            .map(|&triangle| self.numbers[triangle as usize])
-            .collect();
-        Self {
-            frame: self.frame,
-            positions,
-            triangles,
-            numbers,
-        }
+        let numbers = order.iter().map(|&triangle| self.numbers[triangle as usize]).collect();
+        Self { frame: self.frame, positions, triangles, numbers }
     }
 
     pub(super) fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -95,20 +72,13 @@ impl LocalMesh {
     /// Box around a triangle, rounded outward.
     pub(super) fn bounds(&self, triangle: u32) -> Bounds {
         let [a, b, c] = self.corners(triangle);
-        Bounds {
-            min: a.min(b).min(c).to_array().map(round_down),
-            max: a.max(b).max(c).to_array().map(round_up),
-        }
+        Bounds { min: a.min(b).min(c).to_array().map(round_down), max: a.max(b).max(c).to_array().map(round_up) }
     }
 }
 
 fn round_down(value: f64) -> f32 {
     let nearest = value as f32;
-    if f64::from(nearest) > value {
-        nearest.next_down()
-    } else {
-        nearest
-    }
+    if f64::from(nearest) > value { nearest.next_down() } else { nearest }
 }
 
 pub(super) fn round_up(value: f64) -> f32 {
@@ -123,30 +93,16 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    pub(super) const EMPTY: Self = Self {
-        min: [f32::INFINITY; 3],
-        max: [f32::NEG_INFINITY; 3],
-    };
+    pub(super) const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
 
     pub(super) fn joined(self, other: Self) -> Self {
         let min = |k: usize| {
-            if other.min[k] < self.min[k] {
-                other.min[k]
-            } else {
-                self.min[k]
-            }
+            if other.min[k] < self.min[k] { other.min[k] } else { self.min[k] }
         };
         let max = |k: usize| {
-            if other.max[k] > self.max[k] {
-                other.max[k]
-            } else {
-                self.max[k]
-            }
+            if other.max[k] > self.max[k] { other.max[k] } else { self.max[k] }
         };
-        Self {
-            min: [min(0), min(1), min(2)],
-            max: [max(0), max(1), max(2)],
-        }
+        Self { min: [min(0), min(1), min(2)], max: [max(0), max(1), max(2)] }
     }
 
     /// Half the surface area; zero for an empty box.

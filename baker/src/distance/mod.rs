@@ -83,36 +83,23 @@ impl SignedDistance {
     /// # Panics
     /// For 2²⁸ triangles or more.
     pub fn new(mesh: &CheckedMesh, method: SignMethod) -> Self {
-        assert!(
-            mesh.triangles.len() < 1 << 28,
-            "a mesh of fewer than 2^28 triangles"
-        );
+        assert!(mesh.triangles.len() < 1 << 28, "a mesh of fewer than 2^28 triangles");
         let finder = bvh_build::build(&LocalMesh::new(mesh));
         let pseudonormals = Pseudonormals::new(&finder.mesh);
         let winding = (method == SignMethod::Winding).then(|| WindingTree::new(&finder));
-        Self {
-            finder,
-            pseudonormals,
-            winding,
-        }
+        Self { finder, pseudonormals, winding }
     }
 
     /// Samples points, best each near the one before.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
         let local = |&point| Some(self.finder.mesh.frame.to_local(point)).filter(|p| p.is_finite());
-        let searched: Vec<DVec3> = points
-            .iter()
-            .map(|point| local(point).unwrap_or_default())
-            .collect();
+        let searched: Vec<DVec3> = points.iter().map(|point| local(point).unwrap_or_default()).collect();
         nearest_of_each(&self.finder, &searched, |k, nearest| {
             samples[k] = self.signed(searched[k], nearest);
         });
         for (sample, point) in samples.iter_mut().zip(points) {
             if local(point).is_none() {
-                *sample = Sample {
-                    distance: f64::NAN,
-                    gradient: DVec3::ZERO,
-                };
+                *sample = Sample { distance: f64::NAN, gradient: DVec3::ZERO };
             }
         }
     }
@@ -121,22 +108,13 @@ impl SignedDistance {
         let Nearest { triangle, closest } = nearest;
         let offset = local - closest.point;
         let distance = closest.distance_squared.sqrt();
-        let sign = if self.is_inside(local, nearest) {
-            -1.0
-        } else {
-            1.0
-        };
+        let sign = if self.is_inside(local, nearest) { -1.0 } else { 1.0 };
         let gradient = if distance > ON_SURFACE {
             offset * (sign / offset.length())
         } else {
-            self.pseudonormals
-                .at(&self.finder.mesh, triangle, closest.feature)
-                .normalize_or_zero()
+            self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature).normalize_or_zero()
         };
-        Sample {
-            distance: sign * self.finder.mesh.frame.length_from_local(distance),
-            gradient,
-        }
+        Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance), gradient }
     }
 
     fn is_inside(&self, local: DVec3, nearest: Nearest) -> bool {
@@ -149,9 +127,7 @@ impl SignedDistance {
             return self.is_inside(BEYOND, nearest);
         }
         let Nearest { triangle, closest } = nearest;
-        let pseudonormal = self
-            .pseudonormals
-            .at(&self.finder.mesh, triangle, closest.feature);
+        let pseudonormal = self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature);
         (local - closest.point).dot(pseudonormal) < 0.0
     }
 }
@@ -177,9 +153,7 @@ impl FieldFunction for SignedDistance {
     /// pseudonormals: nowhere, for they are meant for closed meshes.
     fn sign_is_doubtful(&self, point: DVec3) -> bool {
         self.winding.as_ref().is_some_and(|winding| {
-            let number = winding
-                .at(&self.finder, self.finder.mesh.frame.to_local(point))
-                .abs();
+            let number = winding.at(&self.finder, self.finder.mesh.frame.to_local(point)).abs();
             (0.25..0.75).contains(&number)
         })
     }

@@ -21,11 +21,7 @@ const FIRST_RADIUS: f64 = 0.02;
 
 /// Finds the closest triangle to each of some finite local points, in turn. Best if each point is near
 /// the one before.
-pub(super) fn nearest_of_each(
-    finder: &Finder,
-    points: &[DVec3],
-    mut found: impl FnMut(usize, Nearest),
-) {
+pub(super) fn nearest_of_each(finder: &Finder, points: &[DVec3], mut found: impl FnMut(usize, Nearest)) {
     let (mut scratch, mut group) = (Scratch::new(), Group::default());
     let (mut start, mut seed, mut radius) = (0, 0, FIRST_RADIUS);
     while start < points.len() {
@@ -46,11 +42,7 @@ pub(super) fn nearest_of_each(
                 seed = nearest.triangle;
                 found(k, nearest);
             }
-            radius *= if group.shared < BEST_SHARED {
-                1.25
-            } else {
-                0.9
-            };
+            radius *= if group.shared < BEST_SHARED { 1.25 } else { 0.9 };
         } else {
             radius = 0.5 * sphere.1;
             continue;
@@ -89,13 +81,7 @@ struct Group {
 impl Group {
     /// Gathers the triangles that may be closest to points in a sphere. Gives up, and returns false,
     /// when they are too many.
-    fn gather(
-        &mut self,
-        finder: &Finder,
-        (centre, radius): (DVec3, f64),
-        seed: u32,
-        scratch: &mut Scratch,
-    ) -> bool {
+    fn gather(&mut self, finder: &Finder, (centre, radius): (DVec3, f64), seed: u32, scratch: &mut Scratch) -> bool {
         if !is_within_reach(centre.abs() + radius) {
             return false;
         }

@@ -28,24 +28,14 @@ impl OrientedBox {
     /// The smaller, by surface, of the box along the axes and the box along the patch.
     pub(super) fn around(mesh: &LocalMesh, tree: &Tree) -> Self {
         let triangles = &mesh.triangles[tree.range.clone()];
-        let vertices = || {
-            triangles
-                .as_flattened()
-                .iter()
-                .map(|&vertex| mesh.positions[vertex as usize])
-        };
+        let vertices = || triangles.as_flattened().iter().map(|&vertex| mesh.positions[vertex as usize]);
         if triangles.len() > LARGEST_PATCH {
-            let [min, max] = [tree.bounds.min, tree.bounds.max]
-                .map(|corner| DVec3::from_array(corner.map(f64::from)));
+            let [min, max] = [tree.bounds.min, tree.bounds.max].map(|corner| DVec3::from_array(corner.map(f64::from)));
             return Self::with_axes(DMat3::IDENTITY, [min, max].into_iter());
         }
 
         // Across the patch its mean normal, along it the direction in which it is longest.
-        let area: DVec3 = tree
-            .range
-            .clone()
-            .map(|triangle| area_vector(mesh.corners(triangle as u32)))
-            .sum();
+        let area: DVec3 = tree.range.clone().map(|triangle| area_vector(mesh.corners(triangle as u32))).sum();
         let normal = area.try_normalize().unwrap_or(DVec3::Z);
         let (u, v) = normal.any_orthonormal_pair();
         let first = vertices().next().unwrap_or_default();
@@ -59,11 +49,7 @@ impl OrientedBox {
             sv += y;
             count += 1.0;
         }
-        let (uu, uv, vv) = (
-            uu - su * su / count,
-            uv - su * sv / count,
-            vv - sv * sv / count,
-        );
+        let (uu, uv, vv) = (uu - su * su / count, uv - su * sv / count, vv - sv * sv / count);
         // Larger eigenvector of the covariance.
         let half_difference = 0.5 * (uu - vv);
         let root = (half_difference * half_difference + uv * uv).sqrt();
@@ -73,24 +59,16 @@ impl OrientedBox {
             u * uv + v * (root - half_difference)
         };
         let long = long.try_normalize().unwrap_or(u);
-        let along_patch = Self::with_axes(
-            DMat3::from_cols(normal, long, normal.cross(long)).transpose(),
-            vertices(),
-        );
+        let along_patch = Self::with_axes(DMat3::from_cols(normal, long, normal.cross(long)).transpose(), vertices());
 
         let along_axes = Self::with_axes(DMat3::IDENTITY, vertices());
-        if along_patch.half_area() < along_axes.half_area() {
-            along_patch
-        } else {
-            along_axes
-        }
+        if along_patch.half_area() < along_axes.half_area() { along_patch } else { along_axes }
     }
 
     /// The smallest box around points whose sides are along the rows of a rotation.
     fn with_axes(rotation: DMat3, points: impl Iterator<Item = DVec3>) -> Self {
         let axes = [0, 1, 2].map(|k| rotation.row(k).as_vec3());
-        let rounded =
-            DMat3::from_cols_array_2d(&axes.map(|axis| axis.as_dvec3().to_array())).transpose();
+        let rounded = DMat3::from_cols_array_2d(&axes.map(|axis| axis.as_dvec3().to_array())).transpose();
         let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for point in points {
             let along = rounded * point;
@@ -98,11 +76,7 @@ impl OrientedBox {
         }
         let centre = (0.5 * (min + max)).as_vec3();
         let half = (max - centre.as_dvec3()).max(centre.as_dvec3() - min);
-        Self {
-            axes: axes.map(|axis| axis.to_array()),
-            centre: centre.to_array(),
-            half: half.to_array().map(round_up),
-        }
+        Self { axes: axes.map(|axis| axis.to_array()), centre: centre.to_array(), half: half.to_array().map(round_up) }
     }
 
     fn half_area(&self) -> f32 {

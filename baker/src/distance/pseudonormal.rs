@@ -23,22 +23,13 @@ impl Pseudonormals {
         let corners = VertexCorners::new(&mesh.triangles, mesh.positions.len());
         let vertices = (0..mesh.positions.len())
             .into_par_iter()
-            .map(|vertex| {
-                corners
-                    .at(vertex)
-                    .iter()
-                    .map(|&corner| weighted_normal(mesh, corner))
-                    .sum()
-            })
+            .map(|vertex| corners.at(vertex).iter().map(|&corner| weighted_normal(mesh, corner)).sum())
             .collect();
         let neighbours = (0..mesh.triangles.len() as u32)
             .into_par_iter()
             .map(|triangle| [0, 1, 2].map(|edge| neighbour(mesh, &corners, triangle, edge)))
             .collect();
-        Self {
-            vertices,
-            neighbours,
-        }
+        Self { vertices, neighbours }
     }
 
     /// The pseudonormal of a part of a triangle. Not of unit length.
@@ -49,9 +40,7 @@ impl Pseudonormals {
                 let neighbour = self.neighbours[triangle as usize][edge as usize];
                 unit_normal(mesh, triangle) + unit_normal(mesh, neighbour)
             }
-            Feature::Vertex(corner) => {
-                self.vertices[mesh.triangles[triangle as usize][corner as usize] as usize]
-            }
+            Feature::Vertex(corner) => self.vertices[mesh.triangles[triangle as usize][corner as usize] as usize],
         }
     }
 }
@@ -65,10 +54,7 @@ fn weighted_normal(mesh: &LocalMesh, corner: u32) -> DVec3 {
     let (triangle, k) = (corner / 3, (corner % 3) as usize);
     let corners = mesh.corners(triangle);
     let [to_next, to_previous] = [1, 2].map(|step| corners[(k + step) % 3] - corners[k]);
-    let angle = libm::atan2(
-        to_next.cross(to_previous).length(),
-        to_next.dot(to_previous),
-    );
+    let angle = libm::atan2(to_next.cross(to_previous).length(), to_next.dot(to_previous));
     unit_normal(mesh, triangle) * angle
 }
 
@@ -78,14 +64,9 @@ fn neighbour(mesh: &LocalMesh, corners: &VertexCorners, triangle: u32, edge: usi
     let (a, b) = (vertices[edge] as usize, vertices[(edge + 1) % 3] as usize);
 
     // At the end with fewer triangles: the hub of a large fan has very many.
-    let (near, far) = if corners.at(a).len() <= corners.at(b).len() {
-        (a, b)
-    } else {
-        (b, a)
-    };
+    let (near, far) = if corners.at(a).len() <= corners.at(b).len() { (a, b) } else { (b, a) };
     let others = corners.at(near).iter().map(|corner| corner / 3);
-    let mut across = others.filter(|&other| {
-        other != triangle && mesh.triangles[other as usize].contains(&(far as u32))
-    });
+    let mut across =
+        others.filter(|&other| other != triangle && mesh.triangles[other as usize].contains(&(far as u32)));
     across.next().unwrap_or(triangle)
 }

@@ -34,17 +34,10 @@ pub struct Closest {
 pub fn closest_point(query: DVec3, corners: [DVec3; 3]) -> Closest {
     let places = Places::new(query, corners);
     let distance_squared = places.distance_squared();
-    let closest = |point, feature| Closest {
-        point,
-        distance_squared,
-        feature,
-    };
+    let closest = |point, feature| Closest { point, distance_squared, feature };
     let [ab, _, ca] = places.edges;
     match (0..3).find(|&k| places.edge_distances[k] == distance_squared) {
-        None => closest(
-            corners[0] + (ab * places.face[0] - ca * places.face[1]),
-            Feature::Face,
-        ),
+        None => closest(corners[0] + (ab * places.face[0] - ca * places.face[1]), Feature::Face),
         Some(k) => {
             let along = places.along[k];
             if along == 0.0 {
@@ -99,11 +92,7 @@ impl Places {
             along: [along_ab, along_bc, along_ca],
             edge_distances: [to_ab, to_bc, to_ca],
             face: [face_ab, face_ac],
-            face_distance: if is_inside {
-                face_distance
-            } else {
-                f64::INFINITY
-            },
+            face_distance: if is_inside { face_distance } else { f64::INFINITY },
         }
     }
 
@@ -114,11 +103,7 @@ impl Places {
         let edge = least(least(a, b), c);
         // The face must win by more than rounding: right beside an edge the edge's pseudonormal is
         // the one that the query cannot graze.
-        if self.face_distance < edge * (1.0 - 4.0 * f64::EPSILON) {
-            self.face_distance
-        } else {
-            edge
-        }
+        if self.face_distance < edge * (1.0 - 4.0 * f64::EPSILON) { self.face_distance } else { edge }
     }
 }
 
@@ -144,45 +129,18 @@ mod tests {
     fn expect(query: DVec3, corners: [DVec3; 3], point: DVec3, feature: Feature) {
         let closest = closest_point(query, corners);
         assert_eq!(closest.feature, feature, "feature for {query}");
-        assert!(
-            closest.point.distance(point) < 1e-15,
-            "{} is not {point}",
-            closest.point
-        );
+        assert!(closest.point.distance(point) < 1e-15, "{} is not {point}", closest.point);
         let distance_squared = query.distance_squared(point);
-        assert!(
-            (closest.distance_squared - distance_squared).abs() < 1e-14,
-            "distance for {query}"
-        );
+        assert!((closest.distance_squared - distance_squared).abs() < 1e-14, "distance for {query}");
     }
 
     #[test]
     fn every_feature_of_a_triangle_is_found() {
         let triangle = [A, B, C];
-        expect(
-            DVec3::new(1.0, 1.0, 5.0),
-            triangle,
-            DVec3::new(1.0, 1.0, 0.0),
-            Feature::Face,
-        );
-        expect(
-            DVec3::new(2.0, -1.0, 1.0),
-            triangle,
-            DVec3::new(2.0, 0.0, 0.0),
-            Feature::Edge(0),
-        );
-        expect(
-            DVec3::new(5.0, 5.5, 2.0),
-            triangle,
-            DVec3::new(2.0, 1.5, 0.0),
-            Feature::Edge(1),
-        );
-        expect(
-            DVec3::new(-1.0, 1.0, 0.0),
-            triangle,
-            DVec3::new(0.0, 1.0, 0.0),
-            Feature::Edge(2),
-        );
+        expect(DVec3::new(1.0, 1.0, 5.0), triangle, DVec3::new(1.0, 1.0, 0.0), Feature::Face);
+        expect(DVec3::new(2.0, -1.0, 1.0), triangle, DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
+        expect(DVec3::new(5.0, 5.5, 2.0), triangle, DVec3::new(2.0, 1.5, 0.0), Feature::Edge(1));
+        expect(DVec3::new(-1.0, 1.0, 0.0), triangle, DVec3::new(0.0, 1.0, 0.0), Feature::Edge(2));
         expect(DVec3::new(-1.0, -1.0, 1.0), triangle, A, Feature::Vertex(0));
         expect(DVec3::new(6.0, 0.0, 1.0), triangle, B, Feature::Vertex(1));
         expect(DVec3::new(0.0, 6.0, 1.0), triangle, C, Feature::Vertex(2));
@@ -191,42 +149,18 @@ mod tests {
     #[test]
     fn a_query_on_the_triangle_is_at_distance_zero() {
         for corner in [A, B, C] {
-            assert_eq!(
-                closest_point(corner, [A, B, C]).distance_squared,
-                0.0,
-                "corner {corner}"
-            );
+            assert_eq!(closest_point(corner, [A, B, C]).distance_squared, 0.0, "corner {corner}");
         }
-        expect(
-            DVec3::new(1.0, 1.0, 0.0),
-            [A, B, C],
-            DVec3::new(1.0, 1.0, 0.0),
-            Feature::Face,
-        );
-        expect(
-            DVec3::new(2.0, 0.0, 0.0),
-            [A, B, C],
-            DVec3::new(2.0, 0.0, 0.0),
-            Feature::Edge(0),
-        );
+        expect(DVec3::new(1.0, 1.0, 0.0), [A, B, C], DVec3::new(1.0, 1.0, 0.0), Feature::Face);
+        expect(DVec3::new(2.0, 0.0, 0.0), [A, B, C], DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
     }
 
     #[test]
     fn an_obtuse_triangle_does_not_skip_its_far_edge() {
         // Beyond the corner a by both of its edges' parameters, yet closest to the edge bc.
         let obtuse = [A, DVec3::new(10.0, 1.0, 0.0), DVec3::new(-10.0, 1.0, 0.0)];
-        expect(
-            DVec3::new(0.0, 2.0, 0.0),
-            obtuse,
-            DVec3::new(0.0, 1.0, 0.0),
-            Feature::Edge(1),
-        );
-        expect(
-            DVec3::new(-7.0, 9.0, 0.0),
-            obtuse,
-            DVec3::new(-7.0, 1.0, 0.0),
-            Feature::Edge(1),
-        );
+        expect(DVec3::new(0.0, 2.0, 0.0), obtuse, DVec3::new(0.0, 1.0, 0.0), Feature::Edge(1));
+        expect(DVec3::new(-7.0, 9.0, 0.0), obtuse, DVec3::new(-7.0, 1.0, 0.0), Feature::Edge(1));
         expect(DVec3::new(0.0, -2.0, 0.0), obtuse, A, Feature::Vertex(0));
     }
 
@@ -241,32 +175,17 @@ mod tests {
 
     #[test]
     fn a_equals_b_leaves_the_segment_ac() {
-        expect(
-            DVec3::new(1.0, 2.0, 0.0),
-            [A, A, C],
-            DVec3::new(0.0, 2.0, 0.0),
-            Feature::Edge(1),
-        );
+        expect(DVec3::new(1.0, 2.0, 0.0), [A, A, C], DVec3::new(0.0, 2.0, 0.0), Feature::Edge(1));
     }
 
     #[test]
     fn b_equals_c_leaves_the_segment_ab() {
-        expect(
-            DVec3::new(2.0, 2.0, 0.0),
-            [A, B, B],
-            DVec3::new(2.0, 0.0, 0.0),
-            Feature::Edge(0),
-        );
+        expect(DVec3::new(2.0, 2.0, 0.0), [A, B, B], DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
     }
 
     #[test]
     fn a_equals_c_leaves_the_segment_ab() {
-        expect(
-            DVec3::new(2.0, 2.0, 0.0),
-            [A, B, A],
-            DVec3::new(2.0, 0.0, 0.0),
-            Feature::Edge(0),
-        );
+        expect(DVec3::new(2.0, 2.0, 0.0), [A, B, A], DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
     }
 
     #[test]
@@ -282,11 +201,7 @@ mod tests {
             let closest = closest_point(DVec3::new(6.0, 2.0, 0.0), corners);
             assert_eq!(closest.point, DVec3::new(6.0, 0.0, 0.0), "for {corners:?}");
             let beyond = closest_point(DVec3::new(12.0, 4.0, 0.0), corners);
-            assert_eq!(
-                (beyond.point, beyond.distance_squared),
-                (end, 25.0),
-                "for {corners:?}"
-            );
+            assert_eq!((beyond.point, beyond.distance_squared), (end, 25.0), "for {corners:?}");
         }
     }
 }

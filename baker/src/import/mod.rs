@@ -54,9 +54,7 @@ pub enum Problem {
         reason: String,
     },
     /// A face names a vertex that is not there.
-    #[error(
-        "{place} uses vertex index {index}, but there are {vertices} vertices; export it again"
-    )]
+    #[error("{place} uses vertex index {index}, but there are {vertices} vertices; export it again")]
     IndexOutOfRange {
         /// The line or the face.
         place: String,
@@ -114,10 +112,7 @@ impl Format {
 /// makes this panic, hang, or ask for memory out of proportion to its length.
 pub fn read(path: impl AsRef<Path>) -> Result<TriangleSoup, ImportError> {
     let path = path.as_ref();
-    read_bytes(path).map_err(|problem| ImportError {
-        path: path.to_owned(),
-        problem,
-    })
+    read_bytes(path).map_err(|problem| ImportError { path: path.to_owned(), problem })
 }
 
 fn read_bytes(path: &Path) -> Result<TriangleSoup, Problem> {

@@ -9,53 +9,37 @@ use std::io::{self, BufRead, Read};
 use tobj::LoadError;
 
 /// Statements with which a file may start so that it passes for an OBJ without the extension.
-const KEYWORDS: [&[u8]; 12] = [
-    b"v", b"vt", b"vn", b"vp", b"f", b"o", b"g", b"s", b"l", b"p", b"mtllib", b"usemtl",
-];
+const KEYWORDS: [&[u8]; 12] = [b"v", b"vt", b"vn", b"vp", b"f", b"o", b"g", b"s", b"l", b"p", b"mtllib", b"usemtl"];
 
 pub(super) fn looks_like_obj(bytes: &[u8]) -> bool {
     let mut statements = Statements::new(bytes);
     statements.next_statement().is_some_and(|statement| {
-        statement
-            .split(u8::is_ascii_whitespace)
-            .next()
-            .is_some_and(|word| KEYWORDS.contains(&word))
+        statement.split(u8::is_ascii_whitespace).next().is_some_and(|word| KEYWORDS.contains(&word))
     })
 }
 
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, Problem> {
     let mut text = GeometryText::new(bytes);
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ..Default::default()
-    };
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let loaded = tobj::load_obj_buf(&mut text, &options, |_| Err(LoadError::OpenFileFailed));
     let (models, _) = loaded.map_err(|error| match error {
         LoadError::FaceVertexOutOfBounds => index_out_of_range(bytes),
-        _ => Problem::Malformed {
-            format: "OBJ",
-            reason: format!("line {}: {error}", text.statements.line),
-        },
+        _ => Problem::Malformed { format: "OBJ", reason: format!("line {}: {error}", text.statements.line) },
     })?;
 
     // Without names there is one model; `tobj` keeps the vertices that faces use.
     let mut soup = TriangleSoup::default();
     for tobj::Model { mesh, .. } in models {
         let base = soup.positions.len() as u32;
-        soup.positions
-            .extend(mesh.positions.chunks_exact(3).map(DVec3::from_slice));
+        soup.positions.extend(mesh.positions.chunks_exact(3).map(DVec3::from_slice));
         let corners = mesh.indices.chunks_exact(3);
-        soup.triangles
-            .extend(corners.map(|corner| [0, 1, 2].map(|k| base + corner[k])));
+        soup.triangles.extend(corners.map(|corner| [0, 1, 2].map(|k| base + corner[k])));
     }
     if soup.triangles.is_empty() {
         return Err(Problem::NoTriangles { hint: "" });
     }
     match soup.positions.iter().find(|position| !position.is_finite()) {
-        Some(&position) => Err(Problem::NotFinite {
-            place: "a vertex that a face uses".into(),
-            position,
-        }),
+        Some(&position) => Err(Problem::NotFinite { place: "a vertex that a face uses".into(), position }),
         None => Ok(soup),
     }
 }
@@ -72,25 +56,17 @@ fn index_out_of_range(bytes: &[u8]) -> Problem {
             Some("v") => vertices_so_far += 1,
             Some("f") => {
                 // A negative index counts back from the vertices so far.
-                let in_range = |index: i64| {
-                    (1..=vertices as i64).contains(&index) || (-vertices_so_far..0).contains(&index)
-                };
+                let in_range =
+                    |index: i64| (1..=vertices as i64).contains(&index) || (-vertices_so_far..0).contains(&index);
                 let indices = words.filter_map(|word| word.split('/').next()?.parse::<i64>().ok());
                 if let Some(index) = indices.into_iter().find(|&index| !in_range(index)) {
-                    return Problem::IndexOutOfRange {
-                        place: format!("line {}", statements.line),
-                        index,
-                        vertices,
-                    };
+                    return Problem::IndexOutOfRange { place: format!("line {}", statements.line), index, vertices };
                 }
             }
             _ => {}
         }
     }
-    Problem::Malformed {
-        format: "OBJ",
-        reason: LoadError::FaceVertexOutOfBounds.to_string(),
-    }
+    Problem::Malformed { format: "OBJ", reason: LoadError::FaceVertexOutOfBounds.to_string() }
 }
 
 /// Statements of the file: comments cut off, lines that a backslash continues joined, none blank.
@@ -104,28 +80,18 @@ struct Statements<'a> {
 impl<'a> Statements<'a> {
     fn new(bytes: &'a [u8]) -> Self {
         let rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        Self {
-            rest,
-            line: 0,
-            joined: Vec::new(),
-        }
+        Self { rest, line: 0, joined: Vec::new() }
     }
 
     fn next_statement(&mut self) -> Option<&[u8]> {
         self.joined.clear();
         while !self.rest.is_empty() {
             let end = self.rest.iter().position(|&byte| byte == b'\n');
-            let (line, rest) = self
-                .rest
-                .split_at(end.map_or(self.rest.len(), |end| end + 1));
+            let (line, rest) = self.rest.split_at(end.map_or(self.rest.len(), |end| end + 1));
             self.rest = rest;
             self.line += 1;
 
-            let line = line
-                .split(|&byte| byte == b'#')
-                .next()
-                .unwrap_or_default()
-                .trim_ascii();
+            let line = line.split(|&byte| byte == b'#').next().unwrap_or_default().trim_ascii();
             let continued = line.strip_suffix(b"\\");
             self.joined.extend_from_slice(continued.unwrap_or(line));
             if continued.is_some() {
@@ -154,8 +120,7 @@ fn is_statement(statement: &[u8], keyword: u8) -> bool {
 /// Cuts a vertex to its position, unless a single weight follows: `tobj` wants a colour at every
 /// vertex or at none.
 fn without_colour(vertex: &[u8]) -> &[u8] {
-    let is_gap =
-        |k: &usize| vertex[*k].is_ascii_whitespace() && !vertex[k - 1].is_ascii_whitespace();
+    let is_gap = |k: &usize| vertex[*k].is_ascii_whitespace() && !vertex[k - 1].is_ascii_whitespace();
     let mut gaps = (1..vertex.len()).filter(is_gap).skip(3);
     match (gaps.next(), gaps.next()) {
         (Some(end_of_position), Some(_)) => &vertex[..end_of_position],
@@ -172,11 +137,7 @@ struct GeometryText<'a> {
 
 impl<'a> GeometryText<'a> {
     fn new(bytes: &'a [u8]) -> Self {
-        Self {
-            statements: Statements::new(bytes),
-            pending: Vec::new(),
-            consumed: 0,
-        }
+        Self { statements: Statements::new(bytes), pending: Vec::new(), consumed: 0 }
     }
 }
 

@@ -4,8 +4,7 @@ use super::{Problem, TriangleSoup, push_fan};
 use glam::DVec3;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
-    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
-    ScalarType,
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
 use std::io::{BufRead, ErrorKind};
 
@@ -34,13 +33,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, Problem> {
     check_indices(&soup)?;
     if soup.triangles.is_empty() {
         let strips = header.elements.contains_key("tristrips");
-        return Err(Problem::NoTriangles {
-            hint: if strips {
-                " (only triangle strips)"
-            } else {
-                ""
-            },
-        });
+        return Err(Problem::NoTriangles { hint: if strips { " (only triangle strips)" } else { "" } });
     }
     Ok(soup)
 }
@@ -53,18 +46,11 @@ fn check_counts(header: &Header, payload: usize) -> Result<(), Problem> {
         let size: usize = match header.encoding {
             // A digit and a separator each.
             Encoding::Ascii => 2 * element.properties.len(),
-            _ => element
-                .properties
-                .values()
-                .map(|property| least_bytes(&property.data_type))
-                .sum(),
+            _ => element.properties.values().map(|property| least_bytes(&property.data_type)).sum(),
         };
         if size == 0 && element.count > 0 {
             let reason = format!("element \"{}\" has no properties", element.name);
-            return Err(Problem::Malformed {
-                format: "PLY",
-                reason,
-            });
+            return Err(Problem::Malformed { format: "PLY", reason });
         }
         needed += size as u128 * element.count as u128;
     }
@@ -93,9 +79,7 @@ fn read_record(
     element: &ElementDef,
 ) -> Result<Record, ParseError> {
     match header.encoding {
-        Encoding::BinaryLittleEndian => {
-            parser.read_little_endian_element(reader.get_mut(), element)
-        }
+        Encoding::BinaryLittleEndian => parser.read_little_endian_element(reader.get_mut(), element),
         Encoding::BinaryBigEndian => parser.read_big_endian_element(reader.get_mut(), element),
         Encoding::Ascii => {
             let mut line = String::new();
@@ -112,47 +96,28 @@ fn read_record(
 
 fn problem(error: ParseError) -> Problem {
     // The parser's reasons run over several lines.
-    let reason = error
-        .to_string()
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let reason = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
     match error.kind() {
         ErrorKind::UnexpectedEof => Problem::Truncated { reason },
-        _ => Problem::Malformed {
-            format: "PLY",
-            reason,
-        },
+        _ => Problem::Malformed { format: "PLY", reason },
     }
 }
 
 fn at_record(error: ParseError, element: &ElementDef, number: usize) -> Problem {
     let ElementDef { name, count, .. } = element;
     match problem(error) {
-        Problem::Truncated { .. } => Problem::Truncated {
-            reason: format!("it ends in {name} {number} of {count}"),
-        },
-        Problem::Malformed { format, reason } => Problem::Malformed {
-            format,
-            reason: format!("{name} {number}: {reason}"),
-        },
+        Problem::Truncated { .. } => Problem::Truncated { reason: format!("it ends in {name} {number} of {count}") },
+        Problem::Malformed { format, reason } => {
+            Problem::Malformed { format, reason: format!("{name} {number}: {reason}") }
+        }
         other => other,
     }
 }
 
 fn check_indices(soup: &TriangleSoup) -> Result<(), Problem> {
     let vertices = soup.positions.len();
-    match soup
-        .triangles
-        .iter()
-        .flatten()
-        .find(|&&index| index as usize >= vertices)
-    {
-        Some(&index) => Err(Problem::IndexOutOfRange {
-            place: "a face".into(),
-            index: index.into(),
-            vertices,
-        }),
+    match soup.triangles.iter().flatten().find(|&&index| index as usize >= vertices) {
+        Some(&index) => Err(Problem::IndexOutOfRange { place: "a face".into(), index: index.into(), vertices }),
         None => Ok(()),
     }
 }
@@ -166,28 +131,19 @@ struct Record {
 impl Record {
     fn position(&self, number: usize) -> Result<DVec3, Problem> {
         let [Some(x), Some(y), Some(z)] = self.xyz else {
-            return Err(Problem::Malformed {
-                format: "PLY",
-                reason: "vertices have no x, y and z".into(),
-            });
+            return Err(Problem::Malformed { format: "PLY", reason: "vertices have no x, y and z".into() });
         };
         let position = DVec3::new(x, y, z);
         if position.is_finite() {
             Ok(position)
         } else {
-            Err(Problem::NotFinite {
-                place: format!("vertex {number}"),
-                position,
-            })
+            Err(Problem::NotFinite { place: format!("vertex {number}"), position })
         }
     }
 
     fn push_face(&self, soup: &mut TriangleSoup, number: usize) -> Result<(), Problem> {
         let Some(polygon) = &self.polygon else {
-            return Err(Problem::Malformed {
-                format: "PLY",
-                reason: "faces have no list vertex_indices".into(),
-            });
+            return Err(Problem::Malformed { format: "PLY", reason: "faces have no list vertex_indices".into() });
         };
         let corner = |&index: &i64| {
             u32::try_from(index).map_err(|_| Problem::IndexOutOfRange {
@@ -196,10 +152,7 @@ impl Record {
                 vertices: soup.positions.len(),
             })
         };
-        let polygon = polygon
-            .iter()
-            .map(corner)
-            .collect::<Result<Vec<u32>, _>>()?;
+        let polygon = polygon.iter().map(corner).collect::<Result<Vec<u32>, _>>()?;
         push_fan(&mut soup.triangles, &polygon);
         Ok(())
     }
@@ -207,10 +160,7 @@ impl Record {
 
 impl PropertyAccess for Record {
     fn new() -> Self {
-        Self {
-            xyz: [None; 3],
-            polygon: None,
-        }
+        Self { xyz: [None; 3], polygon: None }
     }
 
     fn set_property(&mut self, name: &str, value: Property) -> PropertyAccessResult {
@@ -218,14 +168,10 @@ impl PropertyAccess for Record {
             "x" => scalar(&value).map(|x| self.xyz[0] = Some(x)),
             "y" => scalar(&value).map(|y| self.xyz[1] = Some(y)),
             "z" => scalar(&value).map(|z| self.xyz[2] = Some(z)),
-            "vertex_indices" | "vertex_index" => {
-                indices(value).map(|list| self.polygon = Some(list))
-            }
+            "vertex_indices" | "vertex_index" => indices(value).map(|list| self.polygon = Some(list)),
             _ => return PropertyAccessResult::Ignored,
         };
-        known.map_or(PropertyAccessResult::UnsupportedType, |()| {
-            PropertyAccessResult::Set
-        })
+        known.map_or(PropertyAccessResult::UnsupportedType, |()| PropertyAccessResult::Set)
     }
 }
 

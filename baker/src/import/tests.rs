@@ -2,16 +2,9 @@
 
 use super::*;
 
-const CUBE_VERTICES: &str =
-    "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 0 1 1\nv 1 0 0\nv 1 0 1\nv 1 1 0\nv 1 1 1\n";
-const CUBE_QUADS: [[usize; 4]; 6] = [
-    [1, 2, 4, 3],
-    [5, 7, 8, 6],
-    [1, 5, 6, 2],
-    [3, 4, 8, 7],
-    [1, 3, 7, 5],
-    [2, 6, 8, 4],
-];
+const CUBE_VERTICES: &str = "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 0 1 1\nv 1 0 0\nv 1 0 1\nv 1 1 0\nv 1 1 1\n";
+const CUBE_QUADS: [[usize; 4]; 6] =
+    [[1, 2, 4, 3], [5, 7, 8, 6], [1, 5, 6, 2], [3, 4, 8, 7], [1, 3, 7, 5], [2, 6, 8, 4]];
 
 fn cube(face: impl Fn([usize; 4]) -> String) -> String {
     CUBE_VERTICES.to_owned() + &CUBE_QUADS.map(face).concat()
@@ -38,14 +31,7 @@ fn obj_quads_become_fans() {
     let soup = plain_cube();
     assert_eq!((soup.positions.len(), soup.triangles.len()), (8, 12));
     let [a, b, c] = soup.triangles[1].map(|vertex| soup.positions[vertex as usize]);
-    assert_eq!(
-        [a, b, c],
-        [
-            DVec3::ZERO,
-            DVec3::new(0.0, 1.0, 1.0),
-            DVec3::new(0.0, 1.0, 0.0)
-        ]
-    );
+    assert_eq!([a, b, c], [DVec3::ZERO, DVec3::new(0.0, 1.0, 1.0), DVec3::new(0.0, 1.0, 0.0)]);
 }
 
 #[test]
@@ -59,9 +45,7 @@ fn obj_negative_indices_count_back() {
 #[test]
 fn obj_survives_crlf_comments_names_and_attributes() {
     let text = cube(|[a, b, c, d]| format!("g side  {a}\nf {a}/1/1 {b}//1 {c}/1 {d} # a quad\n"));
-    let text = format!(
-        "\u{feff}# caf\u{e9}\nmtllib none.mtl\no cube\nvt 0 0\nvn 0 0 1\nusemtl m\ns off\n{text}"
-    );
+    let text = format!("\u{feff}# caf\u{e9}\nmtllib none.mtl\no cube\nvt 0 0\nvn 0 0 1\nusemtl m\ns off\n{text}");
     expect_cube(&text.replace('\n', "\r\n"));
 }
 
@@ -74,9 +58,7 @@ fn obj_names_may_be_in_any_encoding() {
 
 #[test]
 fn obj_lines_may_be_continued_and_points_and_lines_are_no_faces() {
-    expect_cube(&cube(|[a, b, c, d]| {
-        format!("f {a} {b} \\\n  {c} {d}\nl {a} {b} {c}\np {d}\n")
-    }));
+    expect_cube(&cube(|[a, b, c, d]| format!("f {a} {b} \\\n  {c} {d}\nl {a} {b} {c}\np {d}\n")));
 }
 
 #[test]
@@ -94,10 +76,7 @@ fn obj_weights_divide() {
 #[test]
 fn obj_index_out_of_range_names_the_line() {
     let said = message(obj::parse(b"v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 99\n"));
-    assert!(
-        said.contains("line 5 uses vertex index 99") && said.contains("3 vertices"),
-        "{said}"
-    );
+    assert!(said.contains("line 5 uses vertex index 99") && said.contains("3 vertices"), "{said}");
     for index in ["0", "-4", "-9223372036854775808", "9223372036854775807"] {
         let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 {index}\n");
         let said = message(obj::parse(text.as_bytes()));
@@ -107,11 +86,7 @@ fn obj_index_out_of_range_names_the_line() {
 
 #[test]
 fn obj_nonsense_names_the_line() {
-    for text in [
-        "v 0 0 0\nv 1 oops 0\n",
-        "v 0 0 0\nf 1 x 1\n",
-        "v 0 0 0\nv 1\n",
-    ] {
+    for text in ["v 0 0 0\nv 1 oops 0\n", "v 0 0 0\nf 1 x 1\n", "v 0 0 0\nv 1\n"] {
         let said = message(obj::parse(text.as_bytes()));
         assert!(said.contains("OBJ: line 2"), "{said}");
     }
@@ -124,22 +99,14 @@ fn vertices_must_be_finite() {
         let said = message(obj::parse(text.as_bytes()));
         assert!(said.contains("which is no point"), "{said}");
     }
-    let said = message(ply::parse(&binary_ply(
-        "little",
-        f32::to_le_bytes,
-        u32::to_le_bytes,
-        f32::NAN,
-    )));
+    let said = message(ply::parse(&binary_ply("little", f32::to_le_bytes, u32::to_le_bytes, f32::NAN)));
     assert!(said.contains("vertex 2 is (0, NaN, 0)"), "{said}");
 }
 
 #[test]
 fn files_without_triangles_are_refused() {
     for text in ["", "# nothing\n", "v 0 0 0\n", "v 0 0 0\nv 1 1 1\nl 1 2\n"] {
-        assert!(
-            message(obj::parse(text.as_bytes())).contains("holds no triangles"),
-            "{text:?}"
-        );
+        assert!(message(obj::parse(text.as_bytes())).contains("holds no triangles"), "{text:?}");
     }
     let empty = "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n";
     assert!(message(ply::parse(empty.as_bytes())).contains("holds no triangles"));
@@ -154,23 +121,14 @@ const ASCII_PLY: &str = "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\npro
 
 #[test]
 fn ascii_ply_reads_polygons_among_other_properties() {
-    for text in [
-        ASCII_PLY.to_owned(),
-        ASCII_PLY.replace('\n', "\r\n"),
-        ASCII_PLY.trim_end().to_owned(),
-    ] {
+    for text in [ASCII_PLY.to_owned(), ASCII_PLY.replace('\n', "\r\n"), ASCII_PLY.trim_end().to_owned()] {
         let soup = ply::parse(text.as_bytes()).unwrap();
         assert_eq!(soup.positions[2], DVec3::new(1.0, 1.0, 0.0));
         assert_eq!(soup.triangles, [[0, 1, 2], [0, 2, 3]]);
     }
 }
 
-fn binary_ply(
-    endian: &str,
-    float: fn(f32) -> [u8; 4],
-    int: fn(u32) -> [u8; 4],
-    y_of_last: f32,
-) -> Vec<u8> {
+fn binary_ply(endian: &str, float: fn(f32) -> [u8; 4], int: fn(u32) -> [u8; 4], y_of_last: f32) -> Vec<u8> {
     let mut bytes = format!(
         "ply\nformat binary_{endian}_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
          property float z\nelement face 1\nproperty list uchar uint vertex_indices\nend_header\n"
@@ -188,19 +146,10 @@ fn binary_ply(
 
 #[test]
 fn binary_ply_reads_either_byte_order() {
-    let little = ply::parse(&binary_ply(
-        "little",
-        f32::to_le_bytes,
-        u32::to_le_bytes,
-        1.0,
-    ))
-    .unwrap();
+    let little = ply::parse(&binary_ply("little", f32::to_le_bytes, u32::to_le_bytes, 1.0)).unwrap();
     let big = ply::parse(&binary_ply("big", f32::to_be_bytes, u32::to_be_bytes, 1.0)).unwrap();
     assert_eq!(little, big);
-    assert_eq!(
-        (little.positions[2], little.triangles[0]),
-        (DVec3::Y, [0, 1, 2])
-    );
+    assert_eq!((little.positions[2], little.triangles[0]), (DVec3::Y, [0, 1, 2]));
 }
 
 #[test]
@@ -221,10 +170,7 @@ fn a_lying_ply_header_is_refused_at_once() {
         ("vertex 4", "vertex 4000000000"),
         ("vertex 4", "vertex 18446744073709551615"),
         ("face 1", "face 4000000000"),
-        (
-            "end_header",
-            "element nothing 18446744073709551615\nend_header",
-        ),
+        ("end_header", "element nothing 18446744073709551615\nend_header"),
         ("4 0 1 2 3", "18446744073709551615 0 1 2 3"),
     ] {
         message(ply::parse(ASCII_PLY.replacen(from, to, 1).as_bytes()));
@@ -239,19 +185,10 @@ fn a_lying_ply_header_is_refused_at_once() {
 #[test]
 fn ply_indices_are_checked() {
     for index in ["4", "4294967295"] {
-        let said = message(ply::parse(
-            ASCII_PLY
-                .replacen("0 1 2 3", &format!("0 1 {index} 3"), 1)
-                .as_bytes(),
-        ));
-        assert!(
-            said.contains(&format!("vertex index {index}, but there are 4")),
-            "{said}"
-        );
+        let said = message(ply::parse(ASCII_PLY.replacen("0 1 2 3", &format!("0 1 {index} 3"), 1).as_bytes()));
+        assert!(said.contains(&format!("vertex index {index}, but there are 4")), "{said}");
     }
-    let signed = ASCII_PLY
-        .replace("uchar uint", "uchar int")
-        .replacen("0 1 2 3", "0 1 -1 3", 1);
+    let signed = ASCII_PLY.replace("uchar uint", "uchar int").replacen("0 1 2 3", "0 1 -1 3", 1);
     assert!(message(ply::parse(signed.as_bytes())).contains("face 0 uses vertex index -1"));
 }
 
@@ -259,14 +196,9 @@ fn ply_indices_are_checked() {
 fn the_content_decides_before_the_extension() {
     let folder = tempfile::tempdir().unwrap();
     let cube = cube(|[a, b, c, d]| format!("f {a} {b} {c} {d}\n"));
-    for (name, content) in [
-        ("a.obj", &*cube),
-        ("b.txt", &cube),
-        ("c", &cube),
-        ("d.OBJ", &cube),
-        ("e.obj", ASCII_PLY),
-        ("f", ASCII_PLY),
-    ] {
+    for (name, content) in
+        [("a.obj", &*cube), ("b.txt", &cube), ("c", &cube), ("d.OBJ", &cube), ("e.obj", ASCII_PLY), ("f", ASCII_PLY)]
+    {
         let path = folder.path().join(name);
         fs::write(&path, content).unwrap();
         read(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -276,14 +208,8 @@ fn the_content_decides_before_the_extension() {
     fs::write(&path, "solid nothing\nendsolid\n").unwrap();
     let error = read(&path).unwrap_err();
     assert!(matches!(error.problem, Problem::UnknownFormat), "{error}");
-    assert!(
-        error.to_string().contains("g.stl") && error.to_string().contains("OBJ, PLY"),
-        "{error}"
-    );
+    assert!(error.to_string().contains("g.stl") && error.to_string().contains("OBJ, PLY"), "{error}");
 
     let missing = read(folder.path().join("missing.obj")).unwrap_err();
-    assert!(
-        matches!(missing.problem, Problem::Unreadable(_)),
-        "{missing}"
-    );
+    assert!(matches!(missing.problem, Problem::Unreadable(_)), "{missing}");
 }

@@ -63,12 +63,7 @@ impl VertexCorners {
             let (triangle, k) = (corner / 3, (corner % 3) as usize);
             let [next, previous] = [(k + 1) % 3, (k + 2) % 3];
             let vertices = triangles[triangle as usize];
-            let side = |other, edge, outgoing| Side {
-                other: vertices[other],
-                triangle,
-                edge: edge as u8,
-                outgoing,
-            };
+            let side = |other, edge, outgoing| Side { other: vertices[other], triangle, edge: edge as u8, outgoing };
             sides.extend([side(next, k, true), side(previous, previous, false)]);
         }
         sides.sort_unstable();

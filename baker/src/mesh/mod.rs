@@ -52,9 +52,7 @@ impl CheckedMesh {
     pub fn new(soup: TriangleSoup) -> Result<Self, MeshError> {
         let welded = weld::weld(&soup);
         if welded.triangles.is_empty() {
-            return Err(MeshError::NoArea {
-                triangles: soup.triangles.len(),
-            });
+            return Err(MeshError::NoArea { triangles: soup.triangles.len() });
         }
         Ok(Self {
             bounds: Aabb::around(welded.positions.iter().copied()),

@@ -26,10 +26,7 @@ impl Topology {
     pub(super) fn examine(triangles: &[[u32; 3]], vertices: usize) -> Self {
         let corners = VertexCorners::new(triangles, vertices);
         let found = corners.sum_over_vertices(triangles, Self::visit_vertex, Self::plus);
-        Self {
-            components: count_components(triangles, vertices),
-            ..found
-        }
+        Self { components: count_components(triangles, vertices), ..found }
     }
 
     /// Whether angle-weighted pseudonormals give the right sign: closed, manifold along edges,
@@ -43,29 +40,15 @@ impl Topology {
         let flaws: Vec<String> = [
             (self.boundary_edges, "at the rim of a hole"),
             (self.non_manifold_edges, "shared by more than two triangles"),
-            (
-                self.inconsistent_edges,
-                "whose triangles disagree on the outside",
-            ),
+            (self.inconsistent_edges, "whose triangles disagree on the outside"),
         ]
         .into_iter()
         .filter(|&(count, _)| count > 0)
-        .map(|(count, flaw)| {
-            format!(
-                "{count} {} {flaw}",
-                if count == 1 { "edge" } else { "edges" }
-            )
-        })
+        .map(|(count, flaw)| format!("{count} {} {flaw}", if count == 1 { "edge" } else { "edges" }))
         .collect();
         let (last, others) = flaws.split_last()?;
-        let list = if others.is_empty() {
-            last.clone()
-        } else {
-            format!("{} and {last}", others.join(", "))
-        };
-        Some(format!(
-            "pseudonormals cannot tell inside from outside: the mesh has {list}"
-        ))
+        let list = if others.is_empty() { last.clone() } else { format!("{} and {last}", others.join(", ")) };
+        Some(format!("pseudonormals cannot tell inside from outside: the mesh has {list}"))
     }
 
     fn visit_vertex(&mut self, vertex: usize, sides: &[Side]) {
@@ -126,10 +109,7 @@ struct DisjointSets {
 
 impl DisjointSets {
     fn new(count: usize) -> Self {
-        Self {
-            parent: (0..count as u32).collect(),
-            count,
-        }
+        Self { parent: (0..count as u32).collect(), count }
     }
 
     fn root(&mut self, mut item: u32) -> u32 {

@@ -45,16 +45,9 @@ pub(super) fn weld(soup: &TriangleSoup) -> Welded {
         positions.push(soup.positions[*number as usize] + 0.0);
         *number = positions.len() as u32 - 1;
     }
-    triangles
-        .par_iter_mut()
-        .flatten()
-        .for_each(|vertex| *vertex = renumbered[*vertex as usize]);
+    triangles.par_iter_mut().flatten().for_each(|vertex| *vertex = renumbered[*vertex as usize]);
 
-    Welded {
-        positions,
-        triangles,
-        duplicates,
-    }
+    Welded { positions, triangles, duplicates }
 }
 
 fn bits(position: DVec3) -> [u64; 3] {
