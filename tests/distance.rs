@@ -25,11 +25,7 @@ fn points(mesh: &CheckedMesh, count: usize) -> Vec<DVec3> {
                 0 => a,
                 1 => 0.5 * (b + c),
                 2 => on_face,
-                3 | 4 => {
-                    on_face
-                        + 10f64.powf(-1.0 - 6.0 * numbers.unit())
-                            * (anywhere - mesh.bounds.centre())
-                }
+                3 | 4 => on_face + 10f64.powf(-1.0 - 6.0 * numbers.unit()) * (anywhere - mesh.bounds.centre()),
                 _ => anywhere,
             }
         })
@@ -42,10 +38,7 @@ fn expect_oracle(name: &str, mesh: &CheckedMesh, count: usize, tolerance: f64) {
     let samples = auto(mesh).sample_all(&points);
     for (point, sample) in points.iter().zip(samples) {
         let error = (sample.distance.abs() - oracle::distance(mesh, *point)).abs();
-        assert!(
-            error <= tolerance * mesh.bounds.diagonal(),
-            "{name}: off by {error:e} at {point}"
-        );
+        assert!(error <= tolerance * mesh.bounds.diagonal(), "{name}: off by {error:e} at {point}");
     }
 }
 
@@ -61,11 +54,7 @@ fn scanned_meshes_agree_with_the_oracle() {
     for name in ["spot.ply", "bob_small.ply"] {
         let path = format!("{}/meshes/{name}", env!("CARGO_MANIFEST_DIR"));
         let mesh = CheckedMesh::new(import::read(path).unwrap()).unwrap();
-        assert!(
-            mesh.topology.is_closed_and_oriented(),
-            "{name}: {:?}",
-            mesh.topology
-        );
+        assert!(mesh.topology.is_closed_and_oriented(), "{name}: {:?}", mesh.topology);
         expect_oracle(name, &mesh, 500, 1e-14);
     }
 }
@@ -80,10 +69,8 @@ fn obtuse_and_sliver_triangles_agree_with_the_oracle() {
             let (a, along, across) = (vector(), vector(), vector());
             // The third corner above the middle of the long side, or beyond its end.
             let foot = 1.5 * numbers.unit();
-            soup.positions
-                .extend([a, a + along, a + foot * along + height * across]);
-            soup.triangles
-                .push([0, 1, 2].map(|corner| 3 * triangle + corner));
+            soup.positions.extend([a, a + along, a + foot * along + height * across]);
+            soup.triangles.push([0, 1, 2].map(|corner| 3 * triangle + corner));
         }
         let mesh = CheckedMesh::new(soup).unwrap();
         // Rounding turns the plane of a sliver, by more the thinner it is, but never beyond it.
@@ -114,35 +101,19 @@ fn every_shape_agrees_with_its_formula() {
 fn place_and_scale_do_not_matter() {
     let sphere = shapes::sphere();
     let moved = |scale: f64, offset: DVec3| {
-        let positions = sphere
-            .mesh
-            .positions
-            .iter()
-            .map(|p| p * scale + offset)
-            .collect();
-        CheckedMesh::new(TriangleSoup {
-            positions,
-            triangles: sphere.mesh.triangles.clone(),
-        })
-        .unwrap()
+        let positions = sphere.mesh.positions.iter().map(|p| p * scale + offset).collect();
+        CheckedMesh::new(TriangleSoup { positions, triangles: sphere.mesh.triangles.clone() }).unwrap()
     };
     let far = DVec3::new(1e5, -2e5, 3e5);
     // Far away the coordinates themselves are rounded to 1e-11 of the size.
-    for (scale, offset, tolerance) in [
-        (1e-6, DVec3::ZERO, 1e-14),
-        (1e7, DVec3::ZERO, 1e-14),
-        (1.0, far, 1e-10),
-    ] {
+    for (scale, offset, tolerance) in [(1e-6, DVec3::ZERO, 1e-14), (1e7, DVec3::ZERO, 1e-14), (1.0, far, 1e-10)] {
         let name = format!("scale {scale}, offset {offset}");
         let mesh = moved(scale, offset);
         expect_oracle(&name, &mesh, 300, tolerance);
         let distance = auto(&mesh);
         for (point, expected) in [(0.0, -1.0), (0.5, -0.5), (2.0, 1.0)] {
             let found = distance.sample(DVec3::X * point * scale + offset).distance / scale;
-            assert!(
-                (found - expected).abs() < 2.2e-3,
-                "{name}: {found} for {expected}"
-            );
+            assert!((found - expected).abs() < 2.2e-3, "{name}: {found} for {expected}");
         }
     }
 }
@@ -176,21 +147,12 @@ fn the_sign_method_never_bears_on_the_size() {
         let by = |method| SignedDistance::new(&shape.mesh, method).sample_all(&points);
         let size = |sample: &Sample| sample.distance.abs();
         let [pseudonormal, winding] = [by(SignMethod::Pseudonormal), by(SignMethod::Winding)];
-        assert!(
-            pseudonormal.iter().map(size).eq(winding.iter().map(size)),
-            "{}",
-            shape.name
-        );
+        assert!(pseudonormal.iter().map(size).eq(winding.iter().map(size)), "{}", shape.name);
 
         // And on a closed mesh both know the inside, except where dipoles blur the surface.
         for (k, (a, b)) in pseudonormal.iter().zip(&winding).enumerate() {
             let is_clear = size(a) > 1e-9;
-            assert!(
-                !is_clear || a.distance == b.distance,
-                "{}: sign at {}",
-                shape.name,
-                points[k]
-            );
+            assert!(!is_clear || a.distance == b.distance, "{}: sign at {}", shape.name, points[k]);
         }
     }
 }
@@ -200,22 +162,11 @@ fn gradients_point_away_and_have_unit_length() {
     for shape in shapes::all() {
         let distance = auto(&shape.mesh);
         for point in points(&shape.mesh, 500) {
-            let Sample {
-                distance: here,
-                gradient,
-            } = distance.sample(point);
-            assert!(
-                (gradient.length() - 1.0).abs() < 1e-12,
-                "{}: {gradient} at {point}",
-                shape.name
-            );
+            let Sample { distance: here, gradient } = distance.sample(point);
+            assert!((gradient.length() - 1.0).abs() < 1e-12, "{}: {gradient} at {point}", shape.name);
             // Against the gradient by |d|: on the surface, at the closest point.
             let surface = distance.sample(point - here * gradient).distance;
-            assert!(
-                surface.abs() < 1e-12,
-                "{}: {surface} from {point}",
-                shape.name
-            );
+            assert!(surface.abs() < 1e-12, "{}: {surface} from {point}", shape.name);
         }
     }
 }
@@ -230,45 +181,25 @@ fn on_the_surface_the_gradient_is_the_pseudonormal() {
     ] {
         let Sample { distance, gradient } = distance.sample(point);
         assert_eq!(distance, 0.0, "at {point}");
-        assert!(
-            gradient.distance(normal.normalize()) < 1e-12,
-            "{gradient} at {point}"
-        );
+        assert!(gradient.distance(normal.normalize()) < 1e-12, "{gradient} at {point}");
     }
 }
 
 #[test]
 fn a_hole_switches_to_winding_numbers_and_casts_doubt() {
     let mut mesh = shapes::sphere().mesh;
-    mesh.triangles
-        .retain(|triangle| triangle.iter().any(|&v| mesh.positions[v as usize].z < 0.9));
-    let soup = TriangleSoup {
-        positions: mesh.positions,
-        triangles: mesh.triangles,
-    };
+    mesh.triangles.retain(|triangle| triangle.iter().any(|&v| mesh.positions[v as usize].z < 0.9));
+    let soup = TriangleSoup { positions: mesh.positions, triangles: mesh.triangles };
     let mesh = CheckedMesh::new(soup).unwrap();
     assert!(mesh.topology.boundary_edges > 0);
-    assert_eq!(
-        SignChoice::Auto.resolve(&mesh.topology),
-        SignMethod::Winding
-    );
-    assert_eq!(
-        SignChoice::Pseudonormal.resolve(&mesh.topology),
-        SignMethod::Pseudonormal
-    );
+    assert_eq!(SignChoice::Auto.resolve(&mesh.topology), SignMethod::Winding);
+    assert_eq!(SignChoice::Pseudonormal.resolve(&mesh.topology), SignMethod::Pseudonormal);
 
     let distance = auto(&mesh);
-    for (point, is_inside) in [
-        (DVec3::ZERO, true),
-        (DVec3::Z * 1.5, false),
-        (-0.9 * DVec3::Z, true),
-        (-1.1 * DVec3::Z, false),
-    ] {
-        assert_eq!(
-            distance.sample(point).distance < 0.0,
-            is_inside,
-            "at {point}"
-        );
+    for (point, is_inside) in
+        [(DVec3::ZERO, true), (DVec3::Z * 1.5, false), (-0.9 * DVec3::Z, true), (-1.1 * DVec3::Z, false)]
+    {
+        assert_eq!(distance.sample(point).distance < 0.0, is_inside, "at {point}");
         assert!(!distance.sign_is_doubtful(point), "at {point}");
     }
     assert!(distance.sign_is_doubtful(DVec3::Z * 0.9), "in the hole");
@@ -279,33 +210,18 @@ fn queries_far_away_are_answered() {
     let distance = auto(&shapes::cuboid("cube", DVec3::ONE, 2).mesh);
     for far in [1e3, 1e6, 1e9, 1e12, 1e100] {
         let Sample { distance, gradient } = distance.sample(DVec3::new(far, 0.0, 0.0));
-        assert!(
-            (distance - (far - 1.0)).abs() <= 1e-15 * far,
-            "{distance} at {far}"
-        );
-        assert!(
-            gradient.distance(DVec3::X) < 2.0 / far,
-            "{gradient} at {far}"
-        );
+        assert!((distance - (far - 1.0)).abs() <= 1e-15 * far, "{distance} at {far}");
+        assert!(gradient.distance(DVec3::X) < 2.0 / far, "{gradient} at {far}");
     }
 }
 
 #[test]
 fn a_query_that_is_no_point_gets_no_number() {
     let distance = auto(&shapes::cuboid("cube", DVec3::ONE, 2).mesh);
-    let nowhere = [
-        DVec3::NAN,
-        DVec3::new(f64::INFINITY, 0.0, 0.0),
-        DVec3::ONE * 2.0,
-        DVec3::new(0.0, f64::NAN, 0.0),
-    ];
+    let nowhere = [DVec3::NAN, DVec3::new(f64::INFINITY, 0.0, 0.0), DVec3::ONE * 2.0, DVec3::new(0.0, f64::NAN, 0.0)];
     let samples = distance.sample_all(&nowhere);
     for k in [0, 1, 3] {
-        assert!(
-            samples[k].distance.is_nan() && samples[k].gradient == DVec3::ZERO,
-            "{:?}",
-            samples[k]
-        );
+        assert!(samples[k].distance.is_nan() && samples[k].gradient == DVec3::ZERO, "{:?}", samples[k]);
     }
     assert_eq!(samples[2], distance.sample(DVec3::ONE * 2.0));
 }

@@ -1,7 +1,22 @@
 //! Bakes triangle meshes into Nearfield signed distance fields.
 
+mod bake;
+pub mod corner;
 pub mod distance;
+pub mod encode;
 pub mod field_function;
 pub mod geometry;
 pub mod import;
 pub mod mesh;
+pub mod morton;
+pub mod octree;
+pub mod output;
+pub mod picture;
+pub mod progress;
+pub mod quantize;
+pub mod random;
+pub mod report;
+pub mod settings;
+pub mod verify;
+
+pub use bake::{BakeError, Baked, bake};

@@ -97,6 +97,20 @@ pub mod section_entry {
 /// Most entries that a section table may hold.
 pub const MAX_SECTIONS: usize = 16;
 
+/// Limits that keep the arithmetic of every query within the range of `f32`.
+pub mod limit {
+    /// Largest magnitude of a coordinate, a length or a stored `f32` of a sample: 2⁶⁰.
+    pub const MAX_MAGNITUDE: f32 = (1_u64 << 60) as f32;
+    /// Smallest edge of a root cell, mesh units: 2⁻⁴⁰.
+    pub const MIN_ROOT_EDGE: f32 = 1.0 / (1_u64 << 40) as f32;
+    /// Smallest distance quantum at level 0, mesh units: 2⁻⁸⁰. Divided by sixteen and scaled to
+    /// the deepest level it is still a normal number. The largest is the edge of a root cell.
+    pub const MIN_QUANTUM: f32 = MIN_ROOT_EDGE * MIN_ROOT_EDGE;
+    /// `BOX_MAX` may differ from `BOX_MIN + ROOT_CELLS · ROOT_EDGE`, evaluated in `f32`, by this
+    /// share of the largest of the three terms' magnitudes: 2⁻²⁰, some eight roundings.
+    pub const BOX_TOLERANCE: f32 = 1.0 / (1 << 20) as f32;
+}
+
 /// Field families (`header::FAMILY`).
 pub mod family {
     /// Adaptive cells (Pujol and Chica 2023).
@@ -194,6 +208,10 @@ pub mod block {
     pub const BASE_WORD: usize = 2;
     /// Words before the first sample.
     pub const HEADER_WORDS: usize = 3;
+    /// Least base distance: sixteen times it still fits an `i32`.
+    pub const MIN_BASE: i32 = -(1 << 27);
+    /// Greatest base distance: sixteen times it, plus any 16-bit code, still fits an `i32`.
+    pub const MAX_BASE: i32 = (1 << 27) - (1 << 12);
     /// Lattice samples of a block: 3 along each axis, x fastest.
     pub const LATTICE: u32 = 27;
     /// Mask of the lattice bits in the first two words.
@@ -234,7 +252,5 @@ pub mod packed_sample {
 const _: () = assert!(header::LENGTH <= 128, "design: a header of at most 128 bytes");
 const _: () = assert!(header::LENGTH.is_multiple_of(4), "sections start on words");
 const _: () = assert!(octree::LENGTH.is_multiple_of(4), "sections are whole words");
-const _: () = assert!(
-    2 * packed_sample::GRADIENT_BITS + packed_sample::DISTANCE_BITS == 32,
-    "a first-order sample is 32 bits"
-);
+const _: () =
+    assert!(2 * packed_sample::GRADIENT_BITS + packed_sample::DISTANCE_BITS == 32, "a first-order sample is 32 bits");

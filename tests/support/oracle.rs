@@ -13,20 +13,12 @@ pub(crate) fn distance(mesh: &CheckedMesh, point: DVec3) -> f64 {
 /// Distance to the nearest of the three sides, or to the plane if the point is above the triangle.
 pub(crate) fn distance_to_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
     let sides = [(a, b), (b, c), (c, a)];
-    let nearest_side = sides
-        .map(|(start, end)| distance_to_segment(point, start, end))
-        .into_iter()
-        .fold(f64::INFINITY, f64::min);
+    let nearest_side =
+        sides.map(|(start, end)| distance_to_segment(point, start, end)).into_iter().fold(f64::INFINITY, f64::min);
 
     let normal = (b - a).cross(c - a).normalize();
-    let is_above = sides
-        .iter()
-        .all(|&(start, end)| (end - start).cross(point - start).dot(normal) > 0.0);
-    if is_above {
-        nearest_side.min((point - a).dot(normal).abs())
-    } else {
-        nearest_side
-    }
+    let is_above = sides.iter().all(|&(start, end)| (end - start).cross(point - start).dot(normal) > 0.0);
+    if is_above { nearest_side.min((point - a).dot(normal).abs()) } else { nearest_side }
 }
 
 fn distance_to_segment(point: DVec3, start: DVec3, end: DVec3) -> f64 {

@@ -22,11 +22,7 @@ pub(crate) fn all() -> Vec<Shape> {
     vec![
         cuboid("box", DVec3::new(1.0, 0.6, 0.3), 6),
         cuboid("plate", DVec3::new(0.5, 0.5, 1e-3), 8),
-        cuboid(
-            "plate of a hundred-thousandth",
-            DVec3::new(0.5, 0.5, 1e-5),
-            8,
-        ),
+        cuboid("plate of a hundred-thousandth", DVec3::new(0.5, 0.5, 1e-5), 8),
         sphere(),
         torus(),
         capsule(),
@@ -36,15 +32,8 @@ pub(crate) fn all() -> Vec<Shape> {
 
 /// A sphere of radius 1.
 pub(crate) fn sphere() -> Shape {
-    let soup = surface([48, 96], [false, true], |[u, v]| {
-        spherical(PI * u, 2.0 * PI * v)
-    });
-    Shape {
-        name: "sphere",
-        mesh: checked(soup),
-        distance: Box::new(|p| p.length() - 1.0),
-        chord_error: 2.2e-3,
-    }
+    let soup = surface([48, 96], [false, true], |[u, v]| spherical(PI * u, 2.0 * PI * v));
+    Shape { name: "sphere", mesh: checked(soup), distance: Box::new(|p| p.length() - 1.0), chord_error: 2.2e-3 }
 }
 
 /// A box around the origin, its faces cut into squares.
@@ -59,19 +48,13 @@ pub(crate) fn cuboid(name: &'static str, half: DVec3, cuts: u32) -> Shape {
 
 /// Two boxes apart.
 pub(crate) fn two_boxes() -> Shape {
-    let (half, small, far) = (
-        DVec3::splat(0.5),
-        DVec3::splat(0.3),
-        DVec3::new(2.0, 0.0, 0.0),
-    );
+    let (half, small, far) = (DVec3::splat(0.5), DVec3::splat(0.3), DVec3::new(2.0, 0.0, 0.0));
     let mut soup = cuboid_soup(half, DVec3::ZERO, 3);
     append(&mut soup, cuboid_soup(small, far, 1));
     Shape {
         name: "two boxes",
         mesh: checked(soup),
-        distance: Box::new(move |p| {
-            distance_to_cuboid(p, half).min(distance_to_cuboid(p - far, small))
-        }),
+        distance: Box::new(move |p| distance_to_cuboid(p, half).min(distance_to_cuboid(p - far, small))),
         chord_error: 0.0,
     }
 }
@@ -84,12 +67,7 @@ fn torus() -> Shape {
         DVec3::new(radius * u.cos(), radius * u.sin(), tube * v.sin())
     });
     let distance = move |p: DVec3| (p.truncate().length() - around).hypot(p.z) - tube;
-    Shape {
-        name: "torus",
-        mesh: checked(soup),
-        distance: Box::new(distance),
-        chord_error: 3e-3,
-    }
+    Shape { name: "torus", mesh: checked(soup), distance: Box::new(distance), chord_error: 3e-3 }
 }
 
 fn capsule() -> Shape {
@@ -97,21 +75,11 @@ fn capsule() -> Shape {
     // An even number of rings, and the middle one stretched into the cylinder.
     let soup = surface([41, 64], [false, true], |[u, v]| {
         let ring = (u * 41.0).round();
-        let (ring, end) = if ring <= 20.0 {
-            (ring, 1.0)
-        } else {
-            (ring - 1.0, -1.0)
-        };
+        let (ring, end) = if ring <= 20.0 { (ring, 1.0) } else { (ring - 1.0, -1.0) };
         radius * spherical(PI * ring / 40.0, 2.0 * PI * v) + end * half_length * DVec3::Z
     });
-    let distance =
-        move |p: DVec3| p.distance(DVec3::Z * p.z.clamp(-half_length, half_length)) - radius;
-    Shape {
-        name: "capsule",
-        mesh: checked(soup),
-        distance: Box::new(distance),
-        chord_error: 2e-3,
-    }
+    let distance = move |p: DVec3| p.distance(DVec3::Z * p.z.clamp(-half_length, half_length)) - radius;
+    Shape { name: "capsule", mesh: checked(soup), distance: Box::new(distance), chord_error: 2e-3 }
 }
 
 fn spherical(polar: f64, azimuth: f64) -> DVec3 {
@@ -119,28 +87,18 @@ fn spherical(polar: f64, azimuth: f64) -> DVec3 {
     if polar == 0.0 || polar == PI {
         return DVec3::Z * polar.cos();
     }
-    DVec3::new(
-        polar.sin() * azimuth.cos(),
-        polar.sin() * azimuth.sin(),
-        polar.cos(),
-    )
+    DVec3::new(polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos())
 }
 
 /// A grid of squares over the unit square, bent into a surface; where it `wraps` the last vertices
 /// are the first.
-fn surface(
-    counts: [u32; 2],
-    wraps: [bool; 2],
-    position: impl Fn([f64; 2]) -> DVec3,
-) -> TriangleSoup {
+fn surface(counts: [u32; 2], wraps: [bool; 2], position: impl Fn([f64; 2]) -> DVec3) -> TriangleSoup {
     let [columns, rows] = [0, 1].map(|k| counts[k] + u32::from(!wraps[k]));
     let mut soup = TriangleSoup::default();
     for column in 0..columns {
         for row in 0..rows {
-            soup.positions.push(position([
-                f64::from(column) / f64::from(counts[0]),
-                f64::from(row) / f64::from(counts[1]),
-            ]));
+            soup.positions
+                .push(position([f64::from(column) / f64::from(counts[0]), f64::from(row) / f64::from(counts[1])]));
         }
     }
     for column in 0..counts[0] {
@@ -182,12 +140,7 @@ fn distance_to_cuboid(point: DVec3, half: DVec3) -> f64 {
 fn append(soup: &mut TriangleSoup, other: TriangleSoup) {
     let base = soup.positions.len() as u32;
     soup.positions.extend(other.positions);
-    soup.triangles.extend(
-        other
-            .triangles
-            .iter()
-            .map(|triangle| triangle.map(|vertex| base + vertex)),
-    );
+    soup.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| base + vertex)));
 }
 
 fn checked(soup: TriangleSoup) -> CheckedMesh {

@@ -1,0 +1,199 @@
+//! `nearfield bake`: a mesh to a field.
+
+use super::arguments::{Sign, Threads, not_negative, positive};
+use super::exit_code::Failure;
+use super::progress_bar::TerminalProgress;
+use super::{bake_report, files, print, tell, to_json};
+use clap::{Args, ValueEnum};
+use nearfield::layout::octree::MAX_DEPTH;
+use nearfield_bake::report::Stopwatch;
+use nearfield_bake::settings::{self, Settings, Target};
+use nearfield_bake::{BakeError, bake};
+use std::path::PathBuf;
+
+/// Bake a mesh into a field
+///
+/// Reads a mesh and writes one file that answers distance and gradient anywhere in
+/// the mesh's box and around it. The same mesh and settings give the same bytes on any machine and on
+/// any number of threads. The errors that were measured on the finished file are stored in it.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  nearfield bake spot.ply -o spot.nfd
+  nearfield bake part.obj -o part.nfd --error-abs 0.05 --precision f16
+  nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json")]
+pub(super) struct Bake {
+    /// The mesh: OBJ or PLY
+    mesh: PathBuf,
+
+    /// The field to write; `-` is standard output
+    #[arg(short, long, value_name = "FIELD")]
+    output: PathBuf,
+
+    /// Error asked of every leaf (root mean square), as a fraction of the diagonal of the mesh's box
+    #[arg(long, value_name = "E", value_parser = positive, default_value_t = 5e-4)]
+    error: f64,
+
+    /// The same error in mesh units
+    #[arg(long, value_name = "E", value_parser = positive, conflicts_with = "error")]
+    error_abs: Option<f64>,
+
+    /// What stays continuous where leaves of different sizes meet [default: c1; c0 for trilinear leaves]
+    #[arg(long, value_enum, value_name = "C")]
+    continuity: Option<Continuity>,
+
+    /// What a leaf interpolates
+    #[arg(long, value_enum, value_name = "I", default_value_t = Interpolant::Auto)]
+    interpolant: Interpolant,
+
+    /// How samples are stored
+    #[arg(long, value_enum, value_name = "P", default_value_t = Precision::Packed32)]
+    precision: Precision,
+
+    /// Level of the largest cells: the longest side of the field's box divided by 2 to this power
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(..=i64::from(MAX_DEPTH)), default_value_t = Settings::default().start_depth)]
+    start_depth: u8,
+
+    /// Level of the smallest cells, counted in the same way
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(..=i64::from(MAX_DEPTH)), default_value_t = Settings::default().max_depth)]
+    max_depth: u8,
+
+    /// Space around the mesh's box on every side, as a fraction of its longest side
+    #[arg(long, value_name = "M", value_parser = not_negative, default_value_t = Settings::default().margin)]
+    margin: f64,
+
+    /// Where the sign comes from
+    #[arg(long, value_enum, value_name = "S", default_value_t = Sign::Auto)]
+    sign: Sign,
+
+    /// Points at which the finished field is measured, uniform in the mesh's box and as many near the surface
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), default_value_t = Settings::default().samples)]
+    samples: u32,
+
+    #[command(flatten)]
+    threads: Threads,
+
+    /// Write a report in JSON: settings, mesh, cells, bytes, errors, times
+    #[arg(long, value_name = "JSON")]
+    report: Option<PathBuf>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Continuity {
+    /// Nothing
+    None,
+    /// The value
+    C0,
+    /// Value and gradient; tricubic leaves only
+    C1,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Interpolant {
+    /// The baker chooses: tricubic
+    Auto,
+    /// Distances
+    Trilinear,
+    /// Distances and gradients
+    Tricubic,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Precision {
+    /// 32 bits a sample of distance and gradient, 16 bits a sample of distance alone
+    Packed32,
+    /// 16 bits a component
+    F16,
+    /// 32 bits a component
+    F32,
+}
+
+impl Bake {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let settings = self.settings()?;
+        if self.report.as_ref() == Some(&self.output) {
+            return Err(Failure::Usage("the field and the report cannot go to the same place".to_owned()));
+        }
+        for path in [Some(&self.output), self.report.as_ref()].into_iter().flatten() {
+            files::check_output(path, &self.mesh)?;
+        }
+
+        // Mesh to field.
+        let progress = TerminalProgress::new(self.quiet);
+        let (mesh, reading, baked) = self.threads.run(|| {
+            let mut stopwatch = Stopwatch::start(&progress);
+            stopwatch.stage("read");
+            let mesh = files::read_mesh(&self.mesh)?;
+            let reading = stopwatch.stop();
+            let baked = bake(&mesh, &settings, &progress).map_err(|error| bake_failure(&error))?;
+            Ok((mesh, reading, baked))
+        })?;
+        progress.clear();
+
+        // What was asked for.
+        files::write_bytes(&self.output, &baked.bytes)?;
+        let stages = [reading, baked.report.stages.clone()].concat();
+        let field = files::open_field(&baked.bytes, &self.output)?;
+        if let Some(path) = &self.report {
+            let report = bake_report::report(&self.mesh, &mesh, &settings, &field, &baked.report, &stages);
+            files::write_bytes(path, to_json(&report).as_bytes())?;
+        }
+
+        // What should be known.
+        for warning in bake_report::warnings(&mesh, &settings, &baked.report) {
+            tell(&format!("warning: {}: {warning}\n", self.mesh.display()))
+        }
+        if self.quiet {
+            return Ok(());
+        }
+        let summary = bake_report::summary(&self.mesh, &self.output, &mesh, &field, &baked.report, &stages);
+        if files::is_standard_stream(&self.output) {
+            tell(&summary);
+            return Ok(());
+        }
+        print(&summary)
+    }
+
+    /// The request that these arguments make.
+    fn settings(&self) -> Result<Settings, Failure> {
+        let interpolant = match self.interpolant {
+            Interpolant::Trilinear => settings::Interpolant::Trilinear,
+            Interpolant::Auto | Interpolant::Tricubic => settings::Interpolant::Tricubic,
+        };
+        let continuity = match (self.continuity, interpolant) {
+            (Some(Continuity::None), _) => settings::Continuity::None,
+            (Some(Continuity::C0), _) | (None, settings::Interpolant::Trilinear) => settings::Continuity::C0,
+            (Some(Continuity::C1), _) | (None, settings::Interpolant::Tricubic) => settings::Continuity::C1,
+        };
+        let settings = Settings {
+            error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
+            interpolant,
+            continuity,
+            precision: match self.precision {
+                Precision::Packed32 => settings::Precision::Packed32,
+                Precision::F16 => settings::Precision::F16,
+                Precision::F32 => settings::Precision::F32,
+            },
+            start_depth: self.start_depth,
+            max_depth: self.max_depth,
+            margin: self.margin,
+            sign: self.sign.into(),
+            samples: self.samples,
+        };
+
+        settings.check().map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok(settings)
+    }
+}
+
+fn bake_failure(error: &BakeError) -> Failure {
+    match error {
+        BakeError::Settings(error) => Failure::Usage(error.to_string()),
+        BakeError::Encode(error) => Failure::Budget(error.to_string()),
+        BakeError::Rejected(_) => Failure::Field(error.to_string()),
+    }
+}

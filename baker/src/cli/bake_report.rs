@@ -1,0 +1,198 @@
+//! What a bake tells: warnings, a summary for eyes, a report for programs.
+
+use super::error_table::{self, MeasurementReport};
+use super::info::InfoReport;
+use nearfield::Field;
+use nearfield_bake::distance::SignMethod;
+use nearfield_bake::mesh::CheckedMesh;
+use nearfield_bake::report::{Report, Stage};
+use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use serde::Serialize;
+use std::path::Path;
+
+/// Version of the report's names and meanings.
+const SCHEMA: u32 = 1;
+
+/// What should not pass in silence, one sentence each.
+pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report) -> Vec<String> {
+    let mut warnings = Vec::new();
+
+    let obstacle = mesh.topology.pseudonormal_obstacle();
+    let is_inside_out = obstacle.is_none() && mesh.signed_volume() < 0.0;
+    if let Some(obstacle) = obstacle {
+        let consequence = match report.sign_method {
+            SignMethod::Winding => "the sign comes from winding numbers",
+            SignMethod::Pseudonormal => "the sign may be wrong; use --sign auto",
+        };
+        warnings.push(format!("{obstacle}; {consequence}"));
+    }
+    if is_inside_out {
+        let consequence = match report.sign_method {
+            SignMethod::Winding => "no point counts as inside",
+            SignMethod::Pseudonormal => "distances are negative outside",
+        };
+        warnings.push(format!("the mesh is inside out, so {consequence}; flip its triangles"));
+    }
+    let target = settings.error.absolute(mesh.bounds.diagonal());
+    if report.measurement.uniform.rmse > target {
+        warnings.push(format!(
+            "the error is {:.2} times the target; raise --max-depth or the target",
+            report.measurement.uniform.rmse / target
+        ));
+    }
+    warnings
+}
+
+/// The summary on the terminal.
+pub(super) fn summary(
+    mesh_path: &Path,
+    field_path: &Path,
+    mesh: &CheckedMesh,
+    field: &Field<'_>,
+    report: &Report,
+    stages: &[Stage],
+) -> String {
+    let topology = &mesh.topology;
+    let mut text = format!(
+        "{}: {} triangles, {} vertices, {}\n",
+        mesh_path.display(),
+        mesh.triangles.len(),
+        mesh.positions.len(),
+        if topology.is_closed_and_oriented() {
+            "closed and consistently wound"
+        } else {
+            "not closed and consistently wound"
+        }
+    );
+    if topology.degenerate_triangles > 0 {
+        text += &format!("  without {} degenerate triangles\n", topology.degenerate_triangles);
+    }
+
+    let info = InfoReport::of(field);
+    text += &format!("{}: {} bytes, leaves {}\n", field_path.display(), info.bytes(), info.leaves());
+    text += &error_table::table(&field.contract(), field.header().diagonal);
+    text += &error_table::details(&report.measurement, field.header().diagonal);
+
+    text += &format!("seconds      {:>8}{:>8}\n", "wall", "CPU");
+    let total = Stage {
+        name: "total",
+        wall: stages.iter().map(|stage| stage.wall).sum(),
+        cpu: stages.iter().map(|stage| stage.cpu).sum(),
+    };
+    for stage in stages.iter().chain([&total]) {
+        text += &format!("  {:<11}{:>8.2}{:>8.2}\n", stage.name, stage.wall.as_secs_f64(), stage.cpu.as_secs_f64());
+    }
+    text
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct BakeReport {
+    schema: u32,
+    mesh: MeshReport,
+    settings: SettingsReport,
+    field: InfoReport,
+    measured: MeasurementReport,
+    /// Points at which the exact distance was sampled to build the field.
+    samples: usize,
+    stages: Vec<StageReport>,
+}
+
+#[derive(Debug, Serialize)]
+struct MeshReport {
+    path: String,
+    triangles: usize,
+    vertices: usize,
+    box_min: [f64; 3],
+    box_max: [f64; 3],
+    welded_vertices: usize,
+    degenerate_triangles: usize,
+    boundary_edges: usize,
+    non_manifold_edges: usize,
+    inconsistent_edges: usize,
+    non_manifold_vertices: usize,
+    components: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct SettingsReport {
+    error: f64,
+    error_is_relative: bool,
+    interpolant: &'static str,
+    continuity: &'static str,
+    precision: &'static str,
+    start_depth: u8,
+    max_depth: u8,
+    margin: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct StageReport {
+    name: &'static str,
+    wall_seconds: f64,
+    cpu_seconds: f64,
+}
+
+/// The report for programs.
+pub(super) fn report(
+    mesh_path: &Path,
+    mesh: &CheckedMesh,
+    settings: &Settings,
+    field: &Field<'_>,
+    report: &Report,
+    stages: &[Stage],
+) -> BakeReport {
+    let topology = &mesh.topology;
+    let (error, error_is_relative) = match settings.error {
+        Target::Relative(error) => (error, true),
+        Target::Absolute(error) => (error, false),
+    };
+    BakeReport {
+        schema: SCHEMA,
+        mesh: MeshReport {
+            path: mesh_path.display().to_string(),
+            triangles: mesh.triangles.len(),
+            vertices: mesh.positions.len(),
+            box_min: mesh.bounds.min.to_array(),
+            box_max: mesh.bounds.max.to_array(),
+            welded_vertices: topology.welded_vertices,
+            degenerate_triangles: topology.degenerate_triangles,
+            boundary_edges: topology.boundary_edges,
+            non_manifold_edges: topology.non_manifold_edges,
+            inconsistent_edges: topology.inconsistent_edges,
+            non_manifold_vertices: topology.non_manifold_vertices,
+            components: topology.components,
+        },
+        settings: SettingsReport {
+            error,
+            error_is_relative,
+            interpolant: match settings.interpolant {
+                Interpolant::Trilinear => "trilinear",
+                Interpolant::Tricubic => "tricubic",
+            },
+            continuity: match settings.continuity {
+                Continuity::None => "none",
+                Continuity::C0 => "c0",
+                Continuity::C1 => "c1",
+            },
+            precision: match settings.precision {
+                Precision::Packed32 => "packed32",
+                Precision::F16 => "f16",
+                Precision::F32 => "f32",
+            },
+            start_depth: settings.start_depth,
+            max_depth: settings.max_depth,
+            margin: settings.margin,
+        },
+        field: InfoReport::of(field),
+        measured: (&report.measurement).into(),
+        samples: report.samples,
+        stages: stages
+            .iter()
+            .map(|stage| StageReport {
+                name: stage.name,
+                wall_seconds: stage.wall.as_secs_f64(),
+                cpu_seconds: stage.cpu.as_secs_f64(),
+            })
+            .collect(),
+    }
+}

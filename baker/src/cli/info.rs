@@ -1,0 +1,180 @@
+//! `nearfield info`: what a field says about itself.
+
+use super::error_table::{self, ContractReport};
+use super::exit_code::Failure;
+use super::{files, print, to_json};
+use clap::Args;
+use nearfield::{Continuity, Field, Interpolant, Octree, SignMethod};
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Show what a field holds and what it promises
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  nearfield info spot.nfd
+  nearfield info spot.nfd --json | jq .errors.band.max")]
+pub(super) struct Info {
+    /// The field
+    field: PathBuf,
+
+    /// Print a report in JSON; lengths in mesh units
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct InfoReport {
+    schema: u32,
+    version: [u16; 2],
+    bytes: usize,
+    box_min: [f32; 3],
+    box_max: [f32; 3],
+    diagonal: f32,
+    target_error: f32,
+    lipschitz: f32,
+    errors: ContractReport,
+    sign_method: &'static str,
+    octree: OctreeReport,
+    sections: Vec<SectionReport>,
+    mesh_hash: String,
+    settings_hash: String,
+    baker_version: String,
+}
+
+#[derive(Debug, Serialize)]
+struct OctreeReport {
+    root_cells: [u32; 3],
+    root_edge: f32,
+    depth: u8,
+    interpolant: &'static str,
+    continuity: &'static str,
+    leaves: u32,
+    /// One entry a level, from the root cells down.
+    leaves_by_level: Vec<u32>,
+}
+
+#[derive(Debug, Serialize)]
+struct SectionReport {
+    kind: String,
+    offset: usize,
+    bytes: usize,
+}
+
+impl Info {
+    pub(super) fn run(self) -> Result<(), Failure> {
+        let bytes = files::read_bytes(&self.field)?;
+        let field = files::open_field(&bytes, &self.field)?;
+        let report = InfoReport::of(&field);
+
+        print(&if self.json { to_json(&report) } else { report.text(&field) })
+    }
+}
+
+impl InfoReport {
+    pub(super) fn of(field: &Field<'_>) -> Self {
+        let header = field.header();
+        Self {
+            schema: 1,
+            version: header.version,
+            bytes: field.sections().map(|section| section.range.end).max().unwrap_or(0),
+            box_min: header.bounds.min,
+            box_max: header.bounds.max,
+            diagonal: header.diagonal,
+            target_error: header.target_error,
+            lipschitz: header.lipschitz,
+            errors: (&field.contract()).into(),
+            sign_method: match header.sign_method {
+                SignMethod::Pseudonormal => "pseudonormal",
+                SignMethod::Winding => "winding",
+                _ => "none",
+            },
+            octree: OctreeReport::of(&field.octree()),
+            sections: field
+                .sections()
+                .map(|section| SectionReport {
+                    kind: String::from_utf8_lossy(&section.kind.to_le_bytes()).into_owned(),
+                    offset: section.range.start,
+                    bytes: section.range.len(),
+                })
+                .collect(),
+            mesh_hash: hexadecimal(&header.mesh_hash),
+            settings_hash: hexadecimal(&header.settings_hash),
+            baker_version: header.baker_version.map(|part| part.to_string()).join("."),
+        }
+    }
+
+    /// Bytes of the file.
+    pub(super) fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// How many leaves there are, in all and by level.
+    pub(super) fn leaves(&self) -> String {
+        let levels = self.octree.leaves_by_level.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
+        let levels: Vec<String> = levels.map(|(level, leaves)| format!("{leaves} at level {level}")).collect();
+        format!("{}: {}", self.octree.leaves, levels.join(", "))
+    }
+
+    fn text(&self, field: &Field<'_>) -> String {
+        let mut text = String::new();
+        let mut line = |name: &str, value: String| {
+            writeln!(text, "{name:<14}{value}").expect("memory takes every write");
+        };
+        let coordinates = |point: [f32; 3]| point.map(|coordinate| coordinate.to_string()).join(" ");
+
+        line("format", format!("{}.{}, {} bytes", self.version[0], self.version[1], self.bytes));
+        line("box", format!("{}  to  {}", coordinates(self.box_min), coordinates(self.box_max)));
+        line("diagonal", format!("{} (of the mesh's box, mesh units)", self.diagonal));
+        line("target", format!("{:.2e} of the diagonal", self.target_error / self.diagonal));
+        line("slope", format!("at most {}", self.lipschitz));
+        line("sign", self.sign_method.to_owned());
+
+        let octree = &self.octree;
+        let [x, y, z] = octree.root_cells;
+        line("octree", format!("{}, continuity {}", octree.interpolant, octree.continuity));
+        line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
+        line("leaves", self.leaves());
+
+        for section in &self.sections {
+            line("section", format!("{} {} bytes at {}", section.kind, section.bytes, section.offset));
+        }
+        line("mesh", self.mesh_hash.clone());
+        line("settings", self.settings_hash.clone());
+        line("baker", self.baker_version.clone());
+
+        text + &error_table::table(&field.contract(), self.diagonal)
+    }
+}
+
+impl OctreeReport {
+    fn of(octree: &Octree<'_>) -> Self {
+        let mut leaves_by_level = vec![0; usize::from(octree.depth()) + 1];
+        for leaf in octree.leaves() {
+            leaves_by_level[usize::from(leaf.level)] += 1;
+        }
+        Self {
+            root_cells: octree.root_cells(),
+            root_edge: octree.root_edge(),
+            depth: octree.depth(),
+            interpolant: match octree.interpolant() {
+                Interpolant::Trilinear => "trilinear",
+                Interpolant::Tricubic => "tricubic",
+                _ => "unknown",
+            },
+            continuity: match octree.continuity() {
+                Continuity::None => "none",
+                Continuity::C0 => "c0",
+                Continuity::C1 => "c1",
+                _ => "unknown",
+            },
+            leaves: octree.leaf_count(),
+            leaves_by_level,
+        }
+    }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

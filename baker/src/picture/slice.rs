@@ -1,0 +1,208 @@
+//! A plane through a field.
+
+use super::colour;
+use super::image::{Image, Rgb};
+use nearfield::{Field, Leaf, Octree};
+use rayon::prelude::*;
+
+/// Axis that a slice is perpendicular to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The picture shows z to the right and y up.
+    X,
+    /// The picture shows x to the right and z up.
+    Y,
+    /// The picture shows x to the right and y up.
+    Z,
+}
+
+/// Where on its axis a slice lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Position {
+    /// From 0, the low side of the field's box, to 1, the high side.
+    Fraction(f64),
+    /// Mesh units, mesh frame.
+    Coordinate(f64),
+}
+
+/// What to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slice {
+    /// Axis perpendicular to the picture.
+    pub axis: Axis,
+    /// Place of the plane on that axis.
+    pub position: Position,
+    /// Pixels along the longer side of the picture, at least one.
+    pub resolution: u32,
+    /// Draw the borders of the leaves.
+    pub cells: bool,
+}
+
+/// About as many isolines between the surface and the farthest point of the picture.
+const ISOLINES: f64 = 20.0;
+
+/// Draws a slice: colours by distance, grey isolines at round distances, the surface black.
+pub fn slice(field: &Field<'_>, request: &Slice) -> Image {
+    let plane = Plane::through(field, request);
+    let rows: Vec<Vec<[f32; 3]>> = (0..plane.height).map(|row| plane.row(row)).collect();
+
+    // Distances.
+    let distances: Vec<f32> = rows
+        .par_iter()
+        .flat_map_iter(|points| {
+            let mut distances = vec![0.0; points.len()];
+            field.distances(points, &mut distances);
+            distances
+        })
+        .collect();
+    let raster = Raster { width: plane.width, distances };
+
+    // Colours and lines.
+    let range = raster.distances.iter().fold(0.0, |range: f32, distance| range.max(distance.abs()));
+    let range = f64::from(range.max(f32::MIN_POSITIVE));
+    let spacing = round_number(range / ISOLINES);
+    let mut pixels: Vec<Rgb> = (0..raster.distances.len()).map(|index| raster.shade(index, range, spacing)).collect();
+
+    // Borders of the leaves.
+    if request.cells {
+        let octree = field.octree();
+        let leaves: Vec<Leaf> = rows.par_iter().flatten_iter().map(|&point| leaf_of(&octree, point)).collect();
+        for (index, pixel) in pixels.iter_mut().enumerate() {
+            let (right, below) = raster.neighbours(index);
+            if leaves[index] != leaves[right] || leaves[index] != leaves[below] {
+                *pixel = colour::mix(*pixel, colour::CELL, 0.45);
+            }
+        }
+    }
+
+    Image::new(plane.width as u32, pixels)
+}
+
+/// The pixels' places in space.
+struct Plane {
+    /// Centre of the top left pixel.
+    origin: [f64; 3],
+    /// Axes to the right and up.
+    right: usize,
+    up: usize,
+    /// Edge of a pixel, mesh units.
+    pixel: f64,
+    width: usize,
+    height: usize,
+}
+
+impl Plane {
+    fn through(field: &Field<'_>, request: &Slice) -> Self {
+        let bounds = field.header().bounds;
+        let (min, max) = (bounds.min.map(f64::from), bounds.max.map(f64::from));
+        let (axis, right, up) = match request.axis {
+            Axis::X => (0, 2, 1),
+            Axis::Y => (1, 0, 2),
+            Axis::Z => (2, 0, 1),
+        };
+
+        // Square pixels that cover the box.
+        let (size_right, size_up) = (max[right] - min[right], max[up] - min[up]);
+        let pixel = size_right.max(size_up) / f64::from(request.resolution);
+        let pixels_along = |size: f64| ((size / pixel).round() as usize).max(1);
+        let (width, height) = (pixels_along(size_right), pixels_along(size_up));
+
+        // The top left one.
+        let mut origin = [0.0; 3];
+        origin[axis] = match request.position {
+            Position::Fraction(fraction) => min[axis] + fraction * (max[axis] - min[axis]),
+            Position::Coordinate(coordinate) => coordinate,
+        };
+        origin[right] = min[right] + 0.5 * pixel;
+        origin[up] = max[up] - 0.5 * pixel;
+
+        Self { origin, right, up, pixel, width, height }
+    }
+
+    fn row(&self, row: usize) -> Vec<[f32; 3]> {
+        (0..self.width)
+            .map(|column| {
+                let mut point = self.origin;
+                point[self.right] += column as f64 * self.pixel;
+                point[self.up] -= row as f64 * self.pixel;
+                point.map(|coordinate| coordinate as f32)
+            })
+            .collect()
+    }
+}
+
+struct Raster {
+    width: usize,
+    distances: Vec<f32>,
+}
+
+impl Raster {
+    /// The pixels to the right and below, or the pixel itself at the border.
+    fn neighbours(&self, index: usize) -> (usize, usize) {
+        let right = if (index + 1).is_multiple_of(self.width) { index } else { index + 1 };
+        let below = if index + self.width < self.distances.len() { index + self.width } else { index };
+        (right, below)
+    }
+
+    fn shade(&self, index: usize, range: f64, spacing: f64) -> Rgb {
+        let at = |index: usize| f64::from(self.distances[index]);
+        let distance = at(index);
+
+        // How much the distance changes from pixel to pixel: what turns a distance into a line's width.
+        let (right, below) = self.neighbours(index);
+        let (left, above) = (index - (index % self.width).min(1), index.checked_sub(self.width).unwrap_or(index));
+        let slope = |from: usize, to: usize, step: usize| {
+            let pixels = (to - from) / step;
+            if pixels == 0 { 0.0 } else { (at(to) - at(from)) / pixels as f64 }
+        };
+        let (across, down) = (slope(left, right, 1), slope(above, below, self.width));
+        let change = (across * across + down * down).sqrt().max(1e-6 * range);
+
+        // A line of a width in pixels, its edge blurred over one pixel.
+        let coverage = |offset: f64, half_width: f64| (half_width + 0.5 - offset.abs() / change).clamp(0.0, 1.0);
+        let to_isoline = distance - (distance / spacing).round() * spacing;
+        let ground = colour::of_distance(distance, range);
+        let lined = colour::mix(ground, colour::ISOLINE, 0.6 * coverage(to_isoline, 0.5));
+        colour::mix(lined, colour::SURFACE, coverage(distance, 1.0))
+    }
+}
+
+/// The leaf that holds the point, or the one nearest to it.
+fn leaf_of(octree: &Octree<'_>, point: [f32; 3]) -> Leaf {
+    let (low, cell) = (octree.bounds().min, octree.edge(octree.depth()));
+    octree.leaf_at([0, 1, 2].map(|axis| ((point[axis] - low[axis]) / cell) as u32))
+}
+
+/// The number of the form 1, 2 or 5 times a power of ten that is next above `least`.
+fn round_number(least: f64) -> f64 {
+    let power = libm::pow(10.0, libm::log10(least).floor());
+    [1.0, 2.0, 5.0, 10.0]
+        .map(|factor| factor * power)
+        .into_iter()
+        .find(|&number| number >= least)
+        .unwrap_or(10.0 * power)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_numbers() {
+        for (least, expected) in [(0.03, 0.05), (0.011, 0.02), (7.0, 10.0), (120.0, 200.0)] {
+            assert!((round_number(least) / expected - 1.0).abs() < 1e-12, "{least}");
+        }
+    }
+
+    #[test]
+    fn a_wide_ramp_is_blue_black_and_warm() {
+        let distances: Vec<f32> = (-50..=50).map(|step| step as f32 / 50.0).collect();
+        let raster = Raster { width: distances.len(), distances };
+
+        let [red, _, blue] = raster.shade(3, 1.0, 0.1);
+        assert!(blue > red, "inside");
+        assert_eq!(raster.shade(50, 1.0, 0.1), colour::SURFACE, "surface");
+        let [red, _, blue] = raster.shade(97, 1.0, 0.1);
+        assert!(red > blue, "outside");
+    }
+}

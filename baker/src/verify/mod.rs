@@ -1,0 +1,112 @@
+//! What a finished field is worth: the shipping reader's answers beside the truth.
+
+mod contradiction;
+mod distribution;
+mod points;
+mod seams;
+
+pub use contradiction::{Contradiction, MIN_FRESH_SAMPLES, exceeds, refutes};
+pub use distribution::ErrorDistribution;
+pub use seams::SeamStatistics;
+
+use crate::field_function::{FieldFunction, Sample};
+use crate::geometry::Aabb;
+use crate::mesh::CheckedMesh;
+use glam::DVec3;
+use nearfield::{ErrorContract, ErrorStatistics, Field};
+use rayon::prelude::*;
+
+/// The band: points whose distance is at most this fraction of the diagonal.
+pub const BAND: f64 = 0.01;
+/// Seed of the points behind the contract in a file's header.
+pub const CONTRACT_SEED: u64 = 0;
+
+/// What was measured. Lengths in mesh units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// Over points uniform in the mesh's box.
+    pub uniform: ErrorDistribution,
+    /// Over points near the surface: evenly by area, moved by up to [`BAND`] of the diagonal in a random
+    /// direction; those outside the field's box are left out.
+    pub band: ErrorDistribution,
+    /// Across the faces between leaves.
+    pub seams: SeamStatistics,
+    /// Points asked for, uniform and again in the band.
+    pub samples: u32,
+    /// Points, of both sets, whose true sign is a guess.
+    pub doubtful_signs: usize,
+}
+
+/// Measures a field against the truth at random points that depend on the mesh, `samples` and `seed`
+/// alone, never on threads or the machine.
+///
+/// The field should be valid ([`Field::validate`]) and baked from this mesh.
+pub fn measure(
+    field: &Field<'_>,
+    truth: &dyn FieldFunction,
+    mesh: &CheckedMesh,
+    samples: u32,
+    seed: u64,
+) -> Measurement {
+    let count = samples as usize;
+
+    // Uniform in the mesh's box.
+    let points = points::uniform(&mesh.bounds, count, seed);
+    let exact = sample(truth, &points);
+    let uniform = ErrorDistribution::of(&answers(field, &points), &exact);
+    let mut doubtful_signs = count_doubtful(truth, &points);
+
+    // In the band.
+    let reach = BAND * mesh.bounds.diagonal();
+    let mut points = points::near_surface(mesh, reach, count, seed);
+    let domain = field_box(field);
+    points.retain(|&point| contains(&domain, points::to_dvec3(point)));
+    let exact = sample(truth, &points);
+    let band = ErrorDistribution::of(&answers(field, &points), &exact);
+    doubtful_signs += count_doubtful(truth, &points);
+
+    // Across the faces.
+    let seams = seams::measure(&field.octree(), seed);
+
+    Measurement { uniform, band, seams, samples, doubtful_signs }
+}
+
+impl Measurement {
+    /// The figures as a file's header stores them.
+    pub fn contract(&self) -> ErrorContract {
+        let figures = |errors: &ErrorDistribution| ErrorStatistics {
+            rmse: errors.rmse as f32,
+            p99: errors.p99() as f32,
+            max: errors.max() as f32,
+        };
+        ErrorContract {
+            uniform: figures(&self.uniform),
+            band: figures(&self.band),
+            seam_max: self.seams.max as f32,
+            sample_count: self.samples,
+            doubtful_signs: u32::try_from(self.doubtful_signs).unwrap_or(u32::MAX),
+        }
+    }
+}
+
+fn sample(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> Vec<Sample> {
+    let points: Vec<DVec3> = points.iter().map(|&point| points::to_dvec3(point)).collect();
+    truth.sample_all(&points)
+}
+
+fn answers(field: &Field<'_>, points: &[[f32; 3]]) -> Vec<(f32, [f32; 3])> {
+    points.par_iter().map(|&point| field.distance_and_gradient(point)).collect()
+}
+
+fn count_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> usize {
+    points.par_iter().filter(|&&point| truth.sign_is_doubtful(points::to_dvec3(point))).count()
+}
+
+fn field_box(field: &Field<'_>) -> Aabb {
+    let bounds = field.header().bounds;
+    Aabb { min: points::to_dvec3(bounds.min), max: points::to_dvec3(bounds.max) }
+}
+
+fn contains(bounds: &Aabb, point: DVec3) -> bool {
+    point.cmpge(bounds.min).all() && point.cmple(bounds.max).all()
+}

@@ -1,0 +1,395 @@
+//! The command line as its users meet it: text, exit codes, and files that are whole or absent.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use tempfile::TempDir;
+
+const CUBE: &str = "\
+v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1
+f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5
+f 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\nf 2 4 8\nf 2 8 6\n";
+
+/// A folder of its own for every test.
+struct Bench {
+    folder: TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        Self { folder: tempfile::tempdir().expect("a folder") }
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn write(&self, name: &str, contents: impl AsRef<[u8]>) {
+        fs::write(self.path(name), contents).expect("the file is written");
+    }
+
+    fn run(&self, arguments: &str) -> Outcome {
+        self.run_with_input(arguments, b"")
+    }
+
+    fn run_with_input(&self, arguments: &str, input: &[u8]) -> Outcome {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_nearfield"))
+            .args(arguments.split_whitespace())
+            .current_dir(self.folder.path())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        // A program that fails early does not read its input: the pipe may be closed already.
+        let _ = child.stdin.take().expect("a pipe").write_all(input);
+        Outcome { arguments: arguments.to_owned(), output: child.wait_with_output().expect("the program ends") }
+    }
+
+    /// Bakes the cube, coarsely, and checks that it worked.
+    fn bake_cube(&self) {
+        self.write("cube.obj", CUBE);
+        self.run("bake cube.obj -o cube.nfd --max-depth 5 --samples 2000").succeeds();
+    }
+
+    fn files(&self) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(self.folder.path())
+            .expect("the folder lists")
+            .map(|entry| entry.expect("an entry").file_name().into_string().expect("a name in UTF-8"))
+            .collect();
+        names.sort();
+        names
+    }
+}
+
+struct Outcome {
+    arguments: String,
+    output: Output,
+}
+
+impl Outcome {
+    fn stdout(&self) -> String {
+        String::from_utf8(self.output.stdout.clone()).expect("text")
+    }
+
+    fn stderr(&self) -> String {
+        String::from_utf8(self.output.stderr.clone()).expect("text")
+    }
+
+    #[track_caller]
+    fn succeeds(&self) -> &Self {
+        assert_eq!(self.output.status.code(), Some(0), "{}: {}", self.arguments, self.stderr());
+        self
+    }
+
+    /// Fails with this code and one sentence that holds all of `words`.
+    #[track_caller]
+    fn fails(&self, code: i32, words: &[&str]) -> &Self {
+        let stderr = self.stderr();
+        assert_eq!(self.output.status.code(), Some(code), "{}: {stderr}", self.arguments);
+        assert!(stderr.starts_with("error: "), "{}: {stderr}", self.arguments);
+        if code != 2 {
+            assert_eq!(stderr.lines().count(), 1, "one sentence: {stderr}");
+        }
+        for word in words {
+            assert!(stderr.contains(word), "{}: no {word:?} in {stderr:?}", self.arguments);
+        }
+        self
+    }
+}
+
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_slice(&fs::read(path).expect("the report")).expect("JSON")
+}
+
+#[test]
+fn a_mesh_becomes_a_field_that_answers_and_keeps_its_contract() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+
+    let bake = bench.run("bake cube.obj -o cube.nfd --max-depth 6 --samples 5000 --report report.json");
+    bake.succeeds();
+    for words in ["12 triangles", "closed", "bytes", "uniform", "band", "CPU", "total"] {
+        assert!(bake.stdout().contains(words), "no {words:?} in {}", bake.stdout());
+    }
+    assert_eq!(bake.stderr(), "", "no progress bar without a terminal");
+    let report = json(&bench.path("report.json"));
+    assert_eq!(report["schema"], 1);
+    assert_eq!(report["mesh"]["triangles"], 12);
+    assert_eq!(report["field"]["bytes"], fs::metadata(bench.path("cube.nfd")).expect("the field").len());
+
+    let info = bench.run("info cube.nfd");
+    info.succeeds();
+    assert!(info.stdout().contains("pseudonormal"), "{}", info.stdout());
+    let info = bench.run("info cube.nfd --json");
+    let info: serde_json::Value = serde_json::from_slice(&info.succeeds().output.stdout).expect("JSON");
+    assert_eq!(info, report["field"]);
+
+    let query = bench.run_with_input("query cube.nfd", b"0.5 0.5 0.5\n\n0.5 0.5 1.1\n");
+    let answers: Vec<f64> =
+        query.succeeds().stdout().lines().map(|line| line.parse().expect("a number per line")).collect();
+    let max = report["measured"]["uniform"]["max"].as_f64().expect("a number");
+    assert_eq!(answers.len(), 2);
+    assert!((answers[0] + 0.5).abs() <= 2.0 * max, "{answers:?}, off by at most {max}");
+    assert!((answers[1] - 0.1).abs() <= 2.0 * max, "{answers:?}, off by at most {max}");
+
+    let verify = bench.run("verify cube.nfd --mesh cube.obj");
+    verify.succeeds();
+    assert!(verify.stdout().contains("keeps its contract"), "{}", verify.stdout());
+    bench.run("verify cube.nfd --mesh cube.obj --samples 20000").succeeds();
+
+    bench.run("slice cube.nfd -o cube.png --cells --resolution 64 --axis y --at -10%").succeeds();
+    assert!(fs::read(bench.path("cube.png")).expect("the picture").starts_with(b"\x89PNG"));
+
+    assert_eq!(bench.files(), ["cube.nfd", "cube.obj", "cube.png", "report.json"]);
+}
+
+#[test]
+fn verification_repeats_the_contract_to_the_digit() {
+    let bench = Bench::new();
+    bench.bake_cube();
+
+    let verify = bench.run("verify cube.nfd --mesh cube.obj --json --threads 3");
+    let report: serde_json::Value = serde_json::from_slice(&verify.succeeds().output.stdout).expect("JSON");
+
+    assert_eq!(report["holds"], true);
+    for set in ["uniform", "band"] {
+        for figure in ["rmse", "p99", "max"] {
+            let of = |side: &str| report[side][set][figure].as_f64().expect("a number");
+            let (stored, measured) = (of("stored"), of("measured"));
+            assert!((measured - stored).abs() <= 1e-4 * stored, "{set} {figure}: {measured} against {stored}");
+        }
+    }
+}
+
+#[test]
+fn another_mesh_contradicts_the_contract() {
+    let bench = Bench::new();
+    bench.bake_cube();
+    bench.write("other.obj", CUBE.replace("v 1 1 1", "v 1 1 1.01"));
+
+    for samples in ["", " --samples 10000"] {
+        bench.run(&format!("verify cube.nfd --mesh other.obj{samples}")).fails(1, &["cube.nfd", "other.obj", "hash"]);
+    }
+}
+
+#[test]
+fn binary_points_give_binary_answers() {
+    let bench = Bench::new();
+    bench.bake_cube();
+    let points: Vec<[f32; 3]> = vec![[0.5, 0.5, 0.5], [0.25, 0.75, 1.2], [3.0, 0.5, 0.5], [0.1, 0.2, 0.3]];
+    bench.write("points.f32", points.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>());
+    let text: String = points.iter().map(|[x, y, z]| format!("{x} {y} {z}\n")).collect();
+
+    // Binary, from file to file and from pipe to pipe.
+    bench.run("query cube.nfd --points points.f32 -o distances.f32").succeeds();
+    let distances = floats(&fs::read(bench.path("distances.f32")).expect("the answers"));
+    let input = fs::read(bench.path("points.f32")).expect("the points");
+    let piped = bench.run_with_input("query cube.nfd --points - -o - --gradient", &input);
+    let answers = floats(&piped.succeeds().output.stdout);
+
+    // Text.
+    let spoken = bench.run_with_input("query cube.nfd --gradient", text.as_bytes());
+    let lines: Vec<f32> =
+        spoken.succeeds().stdout().split_ascii_whitespace().map(|number| number.parse().expect("a number")).collect();
+
+    assert_eq!(distances.len(), points.len());
+    assert_eq!(answers.len(), 4 * points.len());
+    assert_eq!(answers, lines, "text carries every bit");
+    for (distance, answer) in distances.iter().zip(answers.chunks(4)) {
+        assert_eq!(*distance, answer[0], "the gradient does not change the distance");
+    }
+}
+
+fn floats(bytes: &[u8]) -> Vec<f32> {
+    let (numbers, rest) = bytes.as_chunks::<4>();
+    assert!(rest.is_empty(), "whole floats");
+    numbers.iter().map(|&number| f32::from_le_bytes(number)).collect()
+}
+
+#[test]
+fn a_field_can_go_through_a_pipe() {
+    let bench = Bench::new();
+    bench.bake_cube();
+
+    let bake = bench.run("bake cube.obj -o - --max-depth 5 --samples 2000");
+    bake.succeeds();
+
+    assert_eq!(bake.output.stdout, fs::read(bench.path("cube.nfd")).expect("the field"));
+    assert!(bake.stderr().contains("12 triangles"), "the summary makes way");
+}
+
+#[test]
+fn quiet_is_quiet_but_warns() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+    let bake = bench.run("bake cube.obj -o cube.nfd --max-depth 6 --samples 2000 --quiet");
+    assert_eq!((bake.succeeds().stdout(), bake.stderr()), (String::new(), String::new()));
+
+    // Without its last triangle.
+    let open = CUBE.trim_end().rsplit_once('\n').expect("many lines").0;
+    bench.write("open.obj", open);
+    let bake = bench.run("bake open.obj -o open.nfd --max-depth 6 --samples 2000 --quiet");
+    let stderr = bake.succeeds().stderr();
+    assert_eq!(bake.stdout(), "");
+    let about_the_hole = stderr.lines().next().expect("a warning");
+    for words in ["warning: ", "open.obj", "3 edges at the rim of a hole", "winding numbers"] {
+        assert!(about_the_hole.contains(words), "no {words:?} in {stderr}");
+    }
+
+    // Inside out.
+    let inverted: String = CUBE
+        .lines()
+        .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
+            ["f", a, b, c] => format!("f {a} {c} {b}\n"),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    bench.write("inverted.obj", inverted);
+    let stderr = bench.run("bake inverted.obj -o inverted.nfd --max-depth 6 --samples 2000 -q").succeeds().stderr();
+    assert!(stderr.contains("inside out"), "{stderr}");
+}
+
+#[test]
+fn inputs_that_are_no_meshes_end_with_3_and_leave_no_file() {
+    let bench = Bench::new();
+    let spot = fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/meshes/spot.ply")).expect("the mesh");
+    bench.write("empty.obj", "");
+    bench.write("no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    bench.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    bench.write("nan.obj", CUBE.replacen("v 1 1 1", "v 1 nan 1", 1));
+    bench.write("range.obj", CUBE.replacen("f 1 3 4", "f 1 3 9", 1));
+    bench.write("truncated.ply", &spot[..spot.len() / 2]);
+    bench.write("words.xyz", "no mesh at all");
+
+    let before = bench.files();
+    for name in
+        ["missing.obj", "empty.obj", "no_faces.obj", "flat.obj", "nan.obj", "range.obj", "truncated.ply", "words.xyz"]
+    {
+        bench.run(&format!("bake {name} -o out.nfd --report out.json")).fails(3, &[name]);
+    }
+    assert_eq!(bench.files(), before, "no partial file");
+}
+
+#[test]
+fn an_output_that_cannot_be_written_ends_with_4() {
+    let bench = Bench::new();
+    bench.bake_cube();
+    let before = bench.files();
+
+    bench.run("bake cube.obj -o missing/cube.nfd").fails(4, &["missing/cube.nfd", "not written"]);
+    bench.run("bake cube.obj -o .").fails(4, &["not written"]);
+    bench.run("bake cube.obj -o new.nfd --report missing/r.json").fails(4, &["missing/r.json"]);
+    bench.run("slice cube.nfd -o missing/cube.png").fails(4, &["missing/cube.png"]);
+    bench.run_with_input("query cube.nfd -o missing/answers", b"0 0 0\n").fails(4, &["missing/answers"]);
+
+    assert_eq!(bench.files(), before, "no partial file");
+}
+
+#[test]
+fn files_that_are_no_fields_end_with_5() {
+    let bench = Bench::new();
+    bench.bake_cube();
+    let field = fs::read(bench.path("cube.nfd")).expect("the field");
+    let mut flipped = field.clone();
+    *flipped.last_mut().expect("bytes") ^= 1;
+    bench.write("words.nfd", "no field at all");
+    bench.write("truncated.nfd", &field[..field.len() - 4]);
+    bench.write("flipped.nfd", flipped);
+
+    for name in ["words.nfd", "truncated.nfd", "flipped.nfd", "cube.obj"] {
+        for command in ["info {}", "query {}", "verify {} --mesh cube.obj", "slice {} -o s.png", "bench {}"] {
+            bench.run(&command.replace("{}", name)).fails(5, &[name, "not a valid field"]);
+        }
+    }
+    bench.run("info missing.nfd").fails(3, &["missing.nfd"]);
+}
+
+#[test]
+fn points_that_are_no_points_end_with_3() {
+    let bench = Bench::new();
+    bench.bake_cube();
+    bench.write("half.f32", [0; 18]);
+
+    bench.run_with_input("query cube.nfd", b"0 0 0\n0 0\n").fails(3, &["line 2", "x y z"]);
+    bench.run("query cube.nfd --points half.f32 -o out.f32").fails(3, &["half.f32"]);
+    bench.run("query cube.nfd --points missing.f32 -o out.f32").fails(3, &["missing.f32"]);
+    bench.run("bench cube.nfd --points half.f32").fails(3, &["half.f32"]);
+    assert!(!bench.path("out.f32").exists(), "no partial file");
+}
+
+#[test]
+fn usage_errors_end_with_2() {
+    let bench = Bench::new();
+    bench.bake_cube();
+
+    for options in [
+        "--error 0",
+        "--error -1",
+        "--error nan",
+        "--error-abs inf",
+        "--error 1e-3 --error-abs 1e-3",
+        "--margin -0.1",
+        "--max-depth 17",
+        "--start-depth 6 --max-depth 5",
+        "--interpolant trilinear --continuity c1",
+        "--interpolant quartic",
+        "--threads 0",
+        "--samples 0",
+        "--no-such-flag",
+    ] {
+        bench.run(&format!("bake cube.obj -o out.nfd {options}")).fails(2, &[]);
+    }
+    bench.run("bake cube.obj").fails(2, &["--output"]);
+    bench.run("slice cube.nfd -o s.png --resolution 0").fails(2, &["--resolution"]);
+    bench.run("slice cube.nfd -o s.png --at nowhere").fails(2, &["--at"]);
+    bench.run("verify cube.nfd --mesh cube.obj --samples 10").fails(2, &["--samples"]);
+    bench.run("bake cube.obj -o ./cube.obj").fails(2, &["overwrite"]);
+    bench.run("bake cube.obj -o out --report out").fails(2, &["same place"]);
+    bench.run("slice cube.nfd -o cube.nfd").fails(2, &["overwrite"]);
+    bench.run("frobnicate").fails(2, &["frobnicate"]);
+
+    assert_eq!(bench.files(), ["cube.nfd", "cube.obj"], "no file is made");
+}
+
+#[test]
+fn help_names_every_exit_code_and_every_command_has_an_example() {
+    let bench = Bench::new();
+
+    let help = bench.run("--help").succeeds().stdout();
+    for code in 0..=6 {
+        assert!(help.contains(&format!("\n  {code}  ")), "no exit code {code} in {help}");
+    }
+    for command in ["bake", "info", "query", "verify", "slice", "bench"] {
+        assert!(help.contains(command), "no {command} in {help}");
+        let help = bench.run(&format!("{command} --help")).succeeds().stdout();
+        assert!(help.contains("Example") && help.contains(&format!("nearfield {command} ")), "{help}");
+    }
+}
+
+#[test]
+fn the_bench_compares_with_a_dense_grid() {
+    let bench = Bench::new();
+    bench.bake_cube();
+
+    let report = bench.run("bench cube.nfd --json");
+    let report: serde_json::Value = serde_json::from_slice(&report.succeeds().output.stdout).expect("JSON");
+
+    let sets = report["sets"].as_array().expect("sets");
+    assert_eq!(
+        sets.iter().map(|set| set["points"].as_str()).collect::<Vec<_>>(),
+        [Some("random"), Some("coherent"), Some("band")]
+    );
+    for set in sets {
+        for figure in ["distance", "distance_and_gradient", "distances", "distances_and_gradients", "dense_distance"] {
+            assert!(set[figure].as_f64().expect("a number") > 0.0, "{figure}");
+        }
+    }
+
+    // Inside, outside and on a corner of the mesh.
+    let points: [[f32; 3]; 3] = [[0.5, 0.5, 0.5], [9.0, 0.0, 0.0], [1.0, 1.0, 1.0]];
+    bench.write("points.f32", points.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>());
+    let given = bench.run("bench cube.nfd --points points.f32").succeeds().stdout();
+    assert!(given.contains("given") && !given.contains("random"), "{given}");
+}

@@ -1,0 +1,120 @@
+//! Why bytes are not a field.
+
+use core::fmt;
+
+/// Why bytes are not a valid field: one variant per rule of `SPEC.md` that a reader must enforce.
+///
+/// [`Field::open`](crate::Field::open) reports the rules that can be checked in constant time,
+/// [`Field::validate`](crate::Field::validate) the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Error {
+    /// The file is shorter than its header and section table (§2).
+    Truncated,
+    /// The first eight bytes are not the magic number (§3.1).
+    Magic,
+    /// The version is outside the window of this reader (§3.2).
+    Version,
+    /// The file length in the header is not the number of bytes (§3.3).
+    FileLength,
+    /// A reserved bit is set (§1.3).
+    Reserved,
+    /// The checksum of the header and the section table does not match (§3.4).
+    HeaderChecksum,
+    /// The field family is unknown (§3.5).
+    Family,
+    /// The sign method is unknown (§3.6).
+    SignMethod,
+    /// The box is empty, not finite or too large (§3.7).
+    Bounds,
+    /// A length or slope in the header is negative, not finite or too large (§3.8).
+    Quantity,
+    /// A root mean square or 99th percentile exceeds its maximum (§3.9).
+    Contract,
+    /// The section table is too long, or its sections do not tile the rest of the file (§4).
+    SectionTable,
+    /// Two sections are of the same kind (§4).
+    SectionDuplicate,
+    /// A section that the family requires is missing (§4).
+    SectionMissing,
+    /// The checksum of a section does not match (§4).
+    SectionChecksum,
+    /// The section of octree parameters has the wrong length (§5).
+    OctreeLength,
+    /// The root grid is empty, or the lattice or the tree too large (§5.1).
+    OctreeLattice,
+    /// The interpolant is unknown (§5.2).
+    Interpolant,
+    /// The continuity is unknown (§5.3).
+    Continuity,
+    /// The edge of a root cell or the distance quantum is out of range (§5.4).
+    OctreeScale,
+    /// The box is not the root grid (§5.4).
+    OctreeBounds,
+    /// The node section is not the root grid and whole groups of eight (§6).
+    NodeLength,
+    /// The tag of a node word is unknown (§6).
+    NodeTag,
+    /// A group of children is not where its order puts it (§6.1).
+    NodeOrder,
+    /// A node lies below the deepest level (§6.1).
+    NodeDepth,
+    /// The leaf count is not the number of leaves (§6.1).
+    LeafCount,
+    /// A sample block is not where its order puts it, or exceeds its section (§7).
+    BlockOrder,
+    /// A sample that a leaf needs is not present (§7.1).
+    BlockPresent,
+    /// A full sample is not present, or the interpolant knows no full samples (§7.1).
+    BlockFull,
+    /// The precision of a block is unknown (§7.1).
+    BlockPrecision,
+    /// The base distance of a block is out of range (§7.1).
+    BlockBase,
+    /// A gradient code is not one that a writer may write (§8).
+    GradientCode,
+    /// A floating-point component of a sample is not finite or too large (§8).
+    SampleValue,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Truncated => "the file is shorter than its header and section table",
+            Self::Magic => "the file does not start with the magic number of a Nearfield field",
+            Self::Version => "the file's version is not one that this reader knows",
+            Self::FileLength => "the file is not as long as its header says",
+            Self::Reserved => "a reserved bit is set",
+            Self::HeaderChecksum => "the checksum of the header does not match",
+            Self::Family => "the field family is unknown",
+            Self::SignMethod => "the sign method is unknown",
+            Self::Bounds => "the box is empty, not finite or too large",
+            Self::Quantity => "a quantity in the header is negative, not finite or too large",
+            Self::Contract => "the error contract contradicts itself",
+            Self::SectionTable => "the sections do not tile the file",
+            Self::SectionDuplicate => "two sections are of the same kind",
+            Self::SectionMissing => "a required section is missing",
+            Self::SectionChecksum => "the checksum of a section does not match",
+            Self::OctreeLength => "the octree parameters have the wrong length",
+            Self::OctreeLattice => "the root grid is empty or the octree too large",
+            Self::Interpolant => "the interpolant is unknown",
+            Self::Continuity => "the continuity is unknown",
+            Self::OctreeScale => "the cell edge or the distance quantum is out of range",
+            Self::OctreeBounds => "the box is not the root grid of the octree",
+            Self::NodeLength => "the node section is not a root grid and whole groups of nodes",
+            Self::NodeTag => "the tag of a node is unknown",
+            Self::NodeOrder => "a group of nodes is out of order",
+            Self::NodeDepth => "a node lies below the deepest level",
+            Self::LeafCount => "the leaf count is not the number of leaves",
+            Self::BlockOrder => "a sample block is out of order or exceeds its section",
+            Self::BlockPresent => "a sample that a leaf needs is missing",
+            Self::BlockFull => "a full sample is not allowed where it is",
+            Self::BlockPrecision => "the precision of a sample block is unknown",
+            Self::BlockBase => "the base distance of a sample block is out of range",
+            Self::GradientCode => "a gradient code is out of range",
+            Self::SampleValue => "a sample is not finite or too large",
+        })
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,152 @@
+//! Samples that a block leaves out because the corners of the parent cell determine them.
+//!
+//! Where eight siblings meet a larger leaf, a vertex in the middle of their parent's edge or face must
+//! repeat what that leaf interpolates there. The leaf holds the whole edge or face, and the parent's
+//! corners on it carry its derivatives, so the cubic between those corners is the same (Pujol and Chica
+//! 2023, appendix): the vertex needs no bytes.
+
+use crate::hermite::Corners;
+
+/// The derivatives at eight corners by local coordinates of the leaf, mesh units. Bit 0 of the outer index
+/// counts x, bit 1 y, bit 2 z: `[f, fx, fy, fxy, fz, fxz, fyz, fxyz]`.
+pub(crate) type Jets = [Corners; 8];
+
+/// Lattice bits of the parent's corners, in the order of [`Corners`].
+pub(crate) const PARENT_CORNERS: [u32; 8] = [0, 18, 6, 24, 2, 20, 8, 26];
+
+/// Whether a block that leaves a lattice bit out implies it: the parent's corners around it are stored and,
+/// for the middle of a face, the middles of that face's edges are not. The parent's own corners and the
+/// centre of the block are never implied.
+pub(crate) fn is_implied(bit: u32, present: u32) -> bool {
+    let halfway = |step: u32| bit / step % 3 == 1;
+    let ends = |mask: u32, step: u32| mask >> step | mask << step;
+    let all = |mask: u32| present & mask == mask;
+    let middle = 1 << bit;
+    match [1, 3, 9].map(|step| halfway(step).then_some(step)) {
+        [Some(step), None, None] | [None, Some(step), None] | [None, None, Some(step)] => all(ends(middle, step)),
+        [Some(a), Some(b), None] | [Some(a), None, Some(b)] | [None, Some(a), Some(b)] => {
+            let edges = ends(middle, a) | ends(middle, b);
+            all(ends(ends(middle, a), b)) && present & edges == 0
+        }
+        _ => false,
+    }
+}
+
+/// Replaces, at each implied corner of an octant, the jet of the parent's corner on the same side by the
+/// jet that the parent's cubic has there. `implied` has a bit for each of [`Corners`].
+///
+/// An axis at a time, the corners away from the parent's own corner move to the middle. A corner in the
+/// middle of a face is reached in two steps, through those in the middle of its edges, which are implied too.
+pub(crate) fn settle(jets: &mut Jets, implied: u32, octant: u32) {
+    settle_along::<1>(jets, implied, octant & 1);
+    settle_along::<2>(jets, implied, octant >> 1 & 1);
+    settle_along::<4>(jets, implied, octant >> 2 & 1);
+}
+
+/// The same for the distances of a trilinear leaf.
+pub(crate) fn settle_distances(distances: &Corners, implied: u32, octant: u32) -> Corners {
+    let mut jets = [*distances, [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]];
+    settle(&mut jets, implied, octant);
+    jets[0]
+}
+
+/// One axis, by its index among the derivatives.
+#[inline]
+fn settle_along<const AXIS: usize>(jets: &mut Jets, implied: u32, far_half: u32) {
+    // Corners are numbered z first, derivatives x first.
+    let step = 4 / AXIS;
+    // The parent's own corner is near in the near half and far in the far half; its opposite moves.
+    let moves = [0xF0_u32, 0xCC, 0xAA][AXIS / 2] ^ far_half.wrapping_neg();
+    let mut moving = implied & moves & 0xFF;
+    while moving != 0 {
+        // The masks show the compiler that no index can fail.
+        let corner = moving.trailing_zeros() as usize & 7;
+        let (near, far) = (corner & !step, corner | step);
+        moving &= moving - 1;
+        for value in (0..8).filter(|index| index & AXIS == 0) {
+            let slope = (value | AXIS) & 7;
+            let (rise, sum) = (jets[value][far] - jets[value][near], jets[value][near] + jets[value][far]);
+            let (near_slope, far_slope) = (jets[slope][near], jets[slope][far]);
+
+            // The middle of a cubic that spans two leaves.
+            jets[value][corner] = 0.5 * sum + 0.25 * (near_slope - far_slope);
+            jets[slope][corner] = 0.75 * rise - 0.25 * (near_slope + far_slope);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_and_centre_are_never_implied() {
+        for bit in [0, 2, 6, 8, 18, 20, 24, 26, 13] {
+            assert!(!is_implied(bit, !(1 << bit)), "bit {bit}");
+        }
+    }
+
+    #[test]
+    fn middles_are_implied_by_the_corners_around_them() {
+        let corners = PARENT_CORNERS.iter().fold(0, |mask, bit| mask | 1 << bit);
+        for bit in (0..27).filter(|&bit| corners >> bit & 1 == 0 && bit != 13) {
+            assert!(is_implied(bit, corners), "bit {bit}");
+        }
+        for (edge, corner) in [(1, 0), (1, 2), (11, 2), (11, 20), (15, 6), (15, 24)] {
+            assert!(!is_implied(edge, corners & !(1 << corner)), "edge {edge} without corner {corner}");
+        }
+        for (face, missing) in [(4, 0), (4, 8), (14, 26), (10, 18)] {
+            assert!(!is_implied(face, corners & !(1 << missing)), "face {face} without corner {missing}");
+        }
+        for (face, edge) in [(4, 1), (4, 3), (14, 5), (14, 17), (22, 21)] {
+            assert!(!is_implied(face, corners | 1 << edge), "face {face} beside a stored edge {edge}");
+        }
+    }
+
+    #[test]
+    fn octants_of_a_cubic_are_the_cubic() {
+        // Over local coordinates of the leaf: the lattice spans 0 to 2. Small dyadic numbers are exact.
+        let jets = |least: [u32; 3], edge: u32| {
+            let mut jets: Jets = Default::default();
+            for corner in 0..8 {
+                let [x, y, z] = [corner >> 2, corner >> 1 & 1, corner & 1];
+                let point = [least[0] + edge * x, least[1] + edge * y, least[2] + edge * z];
+                let [x, y, z] = point.map(|coordinate| coordinate as f32);
+                let along = |t: f32| t * t * t - 2.0 * t * t + 0.5;
+                let slope = |t: f32| 3.0 * t * t - 4.0 * t;
+                let (f, g, h) = (along(x), along(y) + 1.0, along(z) - 2.0);
+                let (fx, gy, hz) = (slope(x), slope(y), slope(z));
+                let at = [
+                    f * g * h,
+                    fx * g * h,
+                    f * gy * h,
+                    fx * gy * h,
+                    f * g * hz,
+                    fx * g * hz,
+                    f * gy * hz,
+                    fx * gy * hz,
+                ];
+                for (index, derivative) in at.into_iter().enumerate() {
+                    jets[index][corner as usize] = derivative;
+                }
+            }
+            jets
+        };
+        for octant in 0..8_u32 {
+            let least = [octant & 1, octant >> 1 & 1, octant >> 2 & 1];
+            let mut settled = jets([0; 3], 2);
+            settle(&mut settled, 0xFF, octant);
+            assert_eq!(settled, jets(least, 1), "octant {octant}");
+        }
+    }
+
+    #[test]
+    fn stored_corners_stay() {
+        let jets: Jets = core::array::from_fn(|index| core::array::from_fn(|corner| (10 * index + corner) as f32));
+        for octant in 0..8 {
+            let mut settled = jets;
+            settle(&mut settled, 0, octant);
+            assert_eq!(settled, jets, "octant {octant}");
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Whole fields, written by hand and read back.
+
+mod damage;
+mod file;
+mod octree;
+mod open;
+mod outside;
+mod specification;
+mod tricubic;
+mod trilinear;
