@@ -8,9 +8,13 @@ mod architecture;
 mod continuity;
 /// The same mesh and settings give the same bytes on any number of threads.
 mod determinism;
+/// The distance engine agrees with every triangle and with formulas.
+mod distance;
 /// What was baked is what is read.
 mod round_trip;
 /// Meshes that the other modules bake.
 mod shapes;
+/// Shapes with known distances, and an oracle too simple to be wrong.
+mod support;
 /// A file that is not whole is refused.
 mod truncation;

@@ -234,7 +234,7 @@ fn quiet_is_quiet_but_warns() {
     let stderr = bake.succeeds().stderr();
     assert_eq!(bake.stdout(), "");
     let about_the_hole = stderr.lines().next().expect("a warning");
-    for words in ["warning: ", "open.obj", "3 boundary edges", "winding numbers"] {
+    for words in ["warning: ", "open.obj", "3 edges at the rim of a hole", "winding numbers"] {
         assert!(about_the_hole.contains(words), "no {words:?} in {stderr}");
     }
 

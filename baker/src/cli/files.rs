@@ -16,7 +16,7 @@ pub(super) fn is_standard_stream(path: &Path) -> bool {
 
 /// A mesh, welded and checked.
 pub(super) fn read_mesh(path: &Path) -> Result<CheckedMesh, Failure> {
-    let soup = import::read(path).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    let soup = import::read(path).map_err(|error| Failure::Input(error.to_string()))?;
     CheckedMesh::new(soup).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 

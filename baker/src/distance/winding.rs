@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use wide::f32x8;
 
 /// A node is far when the query is beyond this many radii from its centre.
-const FAR: f64 = 2.0;
+const FAR: f64 = 3.0;
 
 pub(super) struct WindingTree {
     dipoles: Vec<Dipoles>,
