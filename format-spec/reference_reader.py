@@ -6,7 +6,7 @@ Section numbers refer to SPEC.md. Needs Python 3.9 and nothing else.
 
     reference_reader.py check FILE...                    one line a file: "valid", or the name of the rule it breaks (§11)
     reference_reader.py query FILE POINTS.f32 OUT.f32    three f32 a point; distance and gradient, four f32 an answer
-    reference_reader.py expect FILE                      points and answers, as stored beside the vectors, in JSON
+    reference_reader.py expect FILE...                   points and answers, as stored beside the vectors, in JSON
 """
 
 import json
@@ -273,7 +273,7 @@ class Octree:
         if any(map(math.isinf, p)):
             d = [math.copysign(1.0, x) if math.isinf(x) else 0.0 for x in p]
             return math.inf, [F32(x / math.hypot(*d)) for x in d]
-        c = [min(max(p[axis], self.box_min[axis]), self.box_max[axis]) for axis in AXES]
+        c = self.nearest_in_box(p)
         value, gradient = self.inside(c)
         if c == p:
             return value, gradient
@@ -299,10 +299,29 @@ class Octree:
         u = [(q[axis] - F32(i[axis] >> shift << shift)) * F32(2.0**-shift) for axis in AXES]
         return self.nodes[index] & 0xFFFFFFF, self.depth - shift, child, u
 
-    def inside(self, c):
+    def leaf_at(self, c):
+        """The derivatives at the corners of the leaf, its edge, and the local coordinates of the point."""
         start, level, octant, u = self.locate(c)
         edge = self.root_edge * 2.0**-level
-        corners = Block(self, start).corners(octant, level, edge, self.quantum * 2.0**-level)
+        return Block(self, start).corners(octant, level, edge, self.quantum * 2.0**-level), edge, u
+
+    def tolerances(self, point):
+        """What another reader may differ by, in the distance and in each component of the gradient."""
+        if not all(map(math.isfinite, point)):
+            return 0.0, 2.0**-20
+        c = self.nearest_in_box(point)
+        corners, edge, _ = self.leaf_at(c)
+        largest = max(abs(float(x)) for corner in corners.values() for x in corner)
+        length = math.dist(point, c)
+        if length > 0:
+            return 2.0**-19 * (largest + length), 2.0**-20
+        return 2.0**-19 * largest, 2.0**-16 * largest / float(edge)
+
+    def nearest_in_box(self, p):
+        return [min(max(p[axis], self.box_min[axis]), self.box_max[axis]) for axis in AXES]
+
+    def inside(self, c):
+        corners, edge, u = self.leaf_at(c)
         weights = self.value_weights(u)
         value = interpolate(corners, weights)
         inverse = 1 / edge
@@ -550,6 +569,7 @@ def verdict(path):
 
 def query(field_path, points_path, out_path):
     field = open_field(read_bytes(field_path))
+    field.validate()
     with open(out_path, "wb") as out:
         for point in struct.iter_unpack("<3f", read_bytes(points_path)):
             distance, gradient = field.distance_and_gradient(point)
@@ -597,8 +617,10 @@ def expectation(path):
     for point in chosen_points(field):
         point = [F32(x) for x in point]
         distance, gradient = field.distance_and_gradient(point)
-        (said,) = numbers([distance])
-        lines.append(json.dumps({"point": numbers(point), "distance": said, "gradient": numbers(gradient)}))
+        tolerances = field.tolerances(point)
+        answer = {"point": numbers(point), "distance": numbers([distance])[0], "gradient": numbers(gradient)}
+        answer.update(distance_tolerance=tolerances[0], gradient_tolerance=tolerances[1])
+        lines.append(json.dumps(answer))
     return "[\n" + ",\n".join(lines) + "\n]\n"
 
 
@@ -609,8 +631,9 @@ def main(arguments):
             print(verdict(path), path)
     elif command == "query" and len(paths) == 3:
         query(*paths)
-    elif command == "expect" and len(paths) == 1:
-        sys.stdout.write(expectation(paths[0]))
+    elif command == "expect" and paths:
+        for path in paths:
+            sys.stdout.write(expectation(path))
     else:
         sys.exit(__doc__)
 
