@@ -4,14 +4,16 @@ use crate::distance::{SignMethod, SignedDistance};
 use crate::encode::{EncodeError, Provenance, encode, encode_grid, write_contract};
 use crate::field_function::FieldFunction;
 use crate::geometry::Aabb;
-use crate::grid::Grid;
+use crate::grid::{self, Grid};
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
+use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
 use crate::settings::{Layout, Settings, SettingsError};
 use crate::verify::{self, CONTRACT_SEED};
-use nearfield::{Field, layout};
+use nearfield::Field;
+use nearfield::layout::{self, limit};
 use thiserror::Error;
 
 /// A finished field.
@@ -29,6 +31,18 @@ pub enum BakeError {
     /// The settings contradict themselves.
     #[error(transparent)]
     Settings(#[from] SettingsError),
+    /// The mesh is too small, too large or too far from the origin for the `f32` of the reader.
+    #[error(
+        "cells of edge {edge:e} as far out as {farthest:e} are beyond the format, which ends at edges of {:e} and coordinates of {:e}: scale the mesh",
+        limit::MIN_ROOT_EDGE,
+        limit::MAX_MAGNITUDE
+    )]
+    Extent {
+        /// Edge of a root cell or least spacing of a grid, mesh units.
+        edge: f64,
+        /// Largest coordinate of the domain, mesh units.
+        farthest: f64,
+    },
     /// The format cannot hold the field.
     #[error(transparent)]
     Encode(#[from] EncodeError),
@@ -40,6 +54,7 @@ pub enum BakeError {
 /// Bakes a mesh: the same mesh and settings give the same bytes on any machine and any number of threads.
 pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) -> Result<Baked, BakeError> {
     settings.check()?;
+    check_extent(&mesh.bounds, settings)?;
     let diagonal = mesh.bounds.diagonal();
     let target = settings.error.absolute(diagonal);
     let mut stopwatch = Stopwatch::start(progress);
@@ -91,6 +106,7 @@ pub fn bake_function(
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
     settings.check()?;
+    check_extent(bounds, settings)?;
     let diagonal = bounds.diagonal();
     let provenance = Provenance {
         mesh_hash: [0; 16],
@@ -142,4 +158,22 @@ fn build(
             Ok(Built { bytes, leaves_by_level: Vec::new(), samples: grid.samples })
         }
     }
+}
+
+/// The reader computes in `f32`: lengths must stay in its range.
+fn check_extent(bounds: &Aabb, settings: &Settings) -> Result<(), BakeError> {
+    let (edge, min, max) = match &settings.layout {
+        Layout::Octree => {
+            let domain = Domain::around(bounds, settings);
+            let max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
+            (domain.root_edge, domain.origin, max)
+        }
+        Layout::Grid(grid) => {
+            let domain = grid::Domain::around(bounds, settings.margin, grid.resolution);
+            (domain.spacing.min_element(), domain.bounds().min, domain.bounds().max)
+        }
+    };
+    let farthest = min.abs().max(max.abs()).max_element();
+    let fits = edge >= f64::from(limit::MIN_ROOT_EDGE) && farthest <= f64::from(limit::MAX_MAGNITUDE);
+    if fits { Ok(()) } else { Err(BakeError::Extent { edge, farthest }) }
 }

@@ -262,11 +262,23 @@ fn inputs_that_are_no_meshes_end_with_3_and_leave_no_file() {
     bench.write("range.obj", CUBE.replacen("f 1 3 4", "f 1 3 9", 1));
     bench.write("truncated.ply", &spot[..spot.len() / 2]);
     bench.write("words.xyz", "no mesh at all");
+    let edges = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    bench.write("tiny.obj", format!("v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nv 0 0 1e-30\n{edges}"));
+    bench.write("huge.obj", format!("v 0 0 0\nv 1e60 0 0\nv 0 1e60 0\nv 0 0 1e60\n{edges}"));
 
     let before = bench.files();
-    for name in
-        ["missing.obj", "empty.obj", "no_faces.obj", "flat.obj", "nan.obj", "range.obj", "truncated.ply", "words.xyz"]
-    {
+    for name in [
+        "missing.obj",
+        "empty.obj",
+        "no_faces.obj",
+        "flat.obj",
+        "nan.obj",
+        "range.obj",
+        "truncated.ply",
+        "words.xyz",
+        "tiny.obj",
+        "huge.obj",
+    ] {
         bench.run(&format!("bake {name} -o out.nfd --report out.json")).fails(3, &[name]);
     }
     assert_eq!(bench.files(), before, "no partial file");

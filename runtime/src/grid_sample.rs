@@ -1,7 +1,7 @@
 //! From the words of a grid's samples to polynomials.
 
 use crate::grid::{Grid, GridPrecision};
-use crate::hermite::{Corners, Tricubic};
+use crate::hermite::{Corners, Jets};
 use crate::layout::packed_sample;
 use crate::polynomial::{Polynomial, SECOND, TERMS, THIRD};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
@@ -9,6 +9,24 @@ use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single
 /// Number of the first coefficient of degree 2, and of degree 3.
 const SECOND_FIRST: usize = 4;
 const THIRD_FIRST: usize = 10;
+
+/// First-order samples at the corners of a cell: distances, and derivatives by the local x, y, z.
+pub(crate) struct FirstOrder {
+    pub(crate) distance: Corners,
+    pub(crate) gradient: [Corners; 3],
+}
+
+impl FirstOrder {
+    /// The same with mixed derivatives of zero.
+    #[inline]
+    pub(crate) fn jets(&self) -> Jets {
+        let [by_x, by_y, by_z] = &self.gradient;
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner: usize| {
+            // Counting derivations 4 x + 2 y + z.
+            [self.distance[corner], by_z[corner], by_y[corner], 0.0, by_x[corner], 0.0, 0.0, 0.0]
+        })
+    }
+}
 
 impl Grid<'_> {
     /// The vertex at corner `4 x + 2 y + z` of a cell.
@@ -39,11 +57,11 @@ impl Grid<'_> {
 
     /// The samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
     #[inline]
-    pub(crate) fn first_order(&self, cell: [u32; 3]) -> Tricubic {
+    pub(crate) fn first_order(&self, cell: [u32; 3]) -> FirstOrder {
         if self.precision == GridPrecision::Packed32 {
             return self.packed_first_order(cell);
         }
-        let mut corners = Tricubic { distance: Corners::default(), gradient: [Corners::default(); 3] };
+        let mut corners = FirstOrder { distance: Corners::default(), gradient: [Corners::default(); 3] };
         for corner in 0..8 {
             let Polynomial([distance, x, y, z, ..]) = self.polynomial(Self::corner(cell, corner));
             // The mask shows the compiler that no index can fail.
@@ -58,7 +76,7 @@ impl Grid<'_> {
 
     /// The same of packed samples: one plain loop over words, which compilers turn into vectors.
     #[inline]
-    fn packed_first_order(&self, cell: [u32; 3]) -> Tricubic {
+    fn packed_first_order(&self, cell: [u32; 3]) -> FirstOrder {
         let [nx, ny, _] = self.resolution();
         let (row, layer) = (nx as usize, nx as usize * ny as usize);
         let first = self.index(cell);
@@ -81,7 +99,7 @@ impl Grid<'_> {
             gradient[1][corner] = y * scale_y;
             gradient[2][corner] = z * scale_z;
         }
-        Tricubic { distance, gradient }
+        FirstOrder { distance, gradient }
     }
 
     /// The base distances at the corners of a cell.

@@ -1,7 +1,7 @@
 //! What a grid answers between its samples (SPEC.md §11.4).
 
 use crate::grid::{Grid, Reconstruction};
-use crate::hermite::{Corners, trilinear_sum};
+use crate::hermite::{Corners, tricubic, tricubic_and_derivatives, trilinear_sum};
 use crate::polynomial::triquintic;
 
 /// Every term of a polynomial as it is.
@@ -43,7 +43,7 @@ impl Grid<'_> {
     #[inline]
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
         match (self.reconstruction(), self.order()) {
-            (Reconstruction::Hermite, 1) => self.first_order(cell).value(None, local),
+            (Reconstruction::Hermite, 1) => tricubic(&self.first_order(cell).jets(), local),
             (Reconstruction::Nearest | Reconstruction::Hermite, _) => self.rare(cell, local).0,
             _ => {
                 let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
@@ -60,7 +60,7 @@ impl Grid<'_> {
         let last = self.resolution();
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
         let (value, slopes) = match (self.reconstruction(), self.order()) {
-            (Reconstruction::Hermite, 1) => self.first_order(cell).value_and_derivatives(None, local),
+            (Reconstruction::Hermite, 1) => tricubic_and_derivatives(&self.first_order(cell).jets(), local),
             (Reconstruction::Nearest | Reconstruction::Hermite, _) => self.rare(cell, local),
             _ => {
                 let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
