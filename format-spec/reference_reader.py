@@ -149,8 +149,6 @@ def read_container(data):
     require(all(0 <= x <= MAX_MAGNITUDE for x in quantities + contract), "Quantity")
     for rmse, p99, most in (contract[0:3], contract[3:6]):
         require(rmse <= most and p99 <= most, "Contract")
-    sample_count, doubtful_signs = struct.unpack_from("<II", data, 88)
-    require(sample_count > 0 or (not any(contract) and doubtful_signs == 0), "Contract")
 
     # §4
     sections, end = {}, table_end
