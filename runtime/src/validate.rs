@@ -133,7 +133,7 @@ fn check_samples(block: &Block<'_>) -> Result<usize, Error> {
             continue;
         }
         let is_full = block.full >> bit & 1 == 1;
-        let size = if is_full { full_stride } else { stride };
+        let size = if is_full { full_stride } else { stride } as usize;
         let words = block.data.tail(length).head(size).ok_or(Error::BlockOrder)?;
         match (block.precision, is_full) {
             (precision::PACKED32, false) => check_gradient_code(words.word(0))?,
