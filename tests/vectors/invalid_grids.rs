@@ -114,7 +114,9 @@ fn lengths(vectors: &mut Vectors) {
         (3, F32, "order_3_f32"),
     ] {
         let like = Grid::new(Like { order, ..like(precision) }, 41);
-        vectors.changed(&format!("{name}_cut"), "GridResolution", like.clone(), |grid| drop(grid.samples.pop()));
+        vectors.changed(&format!("{name}_cut"), "GridResolution", like.clone(), |grid| {
+            grid.samples.pop();
+        });
         vectors.changed(&format!("{name}_too_long"), "GridSamples", like, |grid| grid.samples.push(0));
     }
     vectors.grid("no_samples", "GridResolution", |grid| grid.samples.clear());
