@@ -1,5 +1,6 @@
 //! The door: bytes in, distances out.
 
+use crate::cursor::Cursor;
 use crate::error::Error;
 use crate::header::{self, Aabb, ErrorContract, Header};
 use crate::octree::Octree;
@@ -92,6 +93,11 @@ impl<'a> Field<'a> {
             (*distance, *gradient) = self.distance_and_gradient(point);
         }
         points.len().min(distances.len()).min(gradients.len())
+    }
+
+    /// A cursor, which answers queries that are near one another faster.
+    pub fn cursor(&self) -> Cursor<'a> {
+        Cursor::new(*self)
     }
 
     /// What the field is and where it came from.

@@ -45,15 +45,19 @@ extern crate std;
 
 mod bytes;
 mod checksum;
+mod cursor;
 mod error;
 mod field;
 mod header;
 mod hermite;
 mod implied;
+mod instance;
 pub mod layout;
 mod leaf;
+mod march;
 mod math;
 mod octree;
+mod range;
 pub mod sample;
 mod section;
 #[cfg(test)]
@@ -61,8 +65,11 @@ mod tests;
 mod validate;
 
 pub use checksum::crc32c;
+pub use cursor::Cursor;
 pub use error::Error;
 pub use field::Field;
 pub use header::{Aabb, ErrorContract, ErrorStatistics, Family, Header, SignMethod};
+pub use instance::{Instance, NotASimilarity};
+pub use march::{ClosestPoint, RayHit, Raycast};
 pub use octree::{Continuity, Interpolant, Leaf, Leaves, Octree};
 pub use section::{Section, Sections};
