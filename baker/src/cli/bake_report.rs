@@ -4,7 +4,7 @@ use super::error_table::{self, MeasurementReport};
 use super::info::InfoReport;
 use nearfield::Field;
 use nearfield_bake::distance::SignMethod;
-use nearfield_bake::mesh::{CheckedMesh, Topology};
+use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::report::{Report, Stage};
 use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
 use serde::Serialize;
@@ -15,18 +15,23 @@ const SCHEMA: u32 = 1;
 
 /// What should not pass in silence, one sentence each.
 pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report) -> Vec<String> {
-    let closed = mesh.topology.is_closed_and_oriented();
     let mut warnings = Vec::new();
 
-    if !closed {
+    let obstacle = mesh.topology.pseudonormal_obstacle();
+    let is_inside_out = obstacle.is_none() && mesh.signed_volume() < 0.0;
+    if let Some(obstacle) = obstacle {
         let consequence = match report.sign_method {
             SignMethod::Winding => "the sign comes from winding numbers",
-            SignMethod::Pseudonormal => "pseudonormals, as asked for, may get the sign wrong; try --sign auto",
+            SignMethod::Pseudonormal => "the sign may be wrong; use --sign auto",
         };
-        warnings.push(format!("it has {}, so {consequence}", defects(&mesh.topology)));
+        warnings.push(format!("{obstacle}; {consequence}"));
     }
-    if closed && mesh.signed_volume() < 0.0 {
-        warnings.push("it is inside out, so distances are negative outside; flip its triangles".to_owned());
+    if is_inside_out {
+        let consequence = match report.sign_method {
+            SignMethod::Winding => "no point counts as inside",
+            SignMethod::Pseudonormal => "distances are negative outside",
+        };
+        warnings.push(format!("the mesh is inside out, so {consequence}; flip its triangles"));
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
     if report.measurement.uniform.rmse > target {
@@ -36,18 +41,6 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         ));
     }
     warnings
-}
-
-/// The defects that keep pseudonormals from telling inside from outside.
-fn defects(topology: &Topology) -> String {
-    let counts = [
-        (topology.boundary_edges, "boundary edges"),
-        (topology.non_manifold_edges, "non-manifold edges"),
-        (topology.inconsistent_edges, "inconsistently wound edges"),
-    ];
-    let found: Vec<String> =
-        counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
-    found.join(", ")
 }
 
 /// The summary on the terminal.
@@ -65,7 +58,11 @@ pub(super) fn summary(
         mesh_path.display(),
         mesh.triangles.len(),
         mesh.positions.len(),
-        if topology.is_closed_and_oriented() { "closed and consistently wound".to_owned() } else { defects(topology) }
+        if topology.is_closed_and_oriented() {
+            "closed and consistently wound"
+        } else {
+            "not closed and consistently wound"
+        }
     );
     if topology.degenerate_triangles > 0 {
         text += &format!("  without {} degenerate triangles\n", topology.degenerate_triangles);

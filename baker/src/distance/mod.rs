@@ -9,12 +9,16 @@ mod local_mesh;
 mod neighbours;
 mod oriented_box;
 mod pseudonormal;
+mod solid_angle;
+#[cfg(test)]
+mod tests;
 pub mod triangle;
 mod winding;
 
 use crate::field_function::{FieldFunction, Sample};
 use crate::mesh::{CheckedMesh, Topology};
-use bvh_nearest::{Finder, Nearest};
+use bvh::is_within_reach;
+use bvh_nearest::{Finder, Nearest, Scratch};
 use glam::DVec3;
 use local_mesh::LocalMesh;
 use neighbours::nearest_of_each;
@@ -27,6 +31,9 @@ const CHUNK: usize = 1024;
 /// Closer to the surface than this fraction of the mesh's longest side, the gradient is the
 /// pseudonormal: the direction to the closest point drowns in its rounding.
 const ON_SURFACE: f64 = 1e-9;
+
+/// A local point outside the box of every mesh.
+const BEYOND: DVec3 = DVec3::splat(2.0);
 
 /// How the inside is told from the outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,20 +104,31 @@ impl SignedDistance {
         }
     }
 
-    fn signed(&self, local: DVec3, Nearest { triangle, closest }: Nearest) -> Sample {
+    fn signed(&self, local: DVec3, nearest: Nearest) -> Sample {
+        let Nearest { triangle, closest } = nearest;
         let offset = local - closest.point;
         let distance = closest.distance_squared.sqrt();
-
-        // The pseudonormal is read only where it is needed: it costs a trip to memory.
-        let pseudonormal = || self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature);
-        let is_inside = match &self.winding {
-            Some(winding) => winding.at(&self.finder, local) > 0.5,
-            None => offset.dot(pseudonormal()) < 0.0,
+        let sign = if self.is_inside(local, nearest) { -1.0 } else { 1.0 };
+        let gradient = if distance > ON_SURFACE {
+            offset * (sign / offset.length())
+        } else {
+            self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature).normalize_or_zero()
         };
-        let sign = if is_inside { -1.0 } else { 1.0 };
-        let gradient =
-            if distance > ON_SURFACE { offset * (sign / distance) } else { pseudonormal().normalize_or_zero() };
         Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance), gradient }
+    }
+
+    fn is_inside(&self, local: DVec3, nearest: Nearest) -> bool {
+        if let Some(winding) = &self.winding {
+            return winding.at(&self.finder, local) > 0.5;
+        }
+        if !is_within_reach(local) {
+            // All triangles look alike from there. The sign is that of any other point beyond the box.
+            let nearest = self.finder.nearest(BEYOND, 0, &mut Scratch::new());
+            return self.is_inside(BEYOND, nearest);
+        }
+        let Nearest { triangle, closest } = nearest;
+        let pseudonormal = self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature);
+        (local - closest.point).dot(pseudonormal) < 0.0
     }
 }
 

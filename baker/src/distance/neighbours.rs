@@ -28,8 +28,8 @@ pub(super) fn nearest_of_each(finder: &Finder, points: &[DVec3], mut found: impl
         let (count, sphere) = leading_group(&points[start..], radius);
         let end = start + count;
         if count < SMALLEST_GROUP {
-            for k in start..end {
-                let nearest = finder.nearest(points[k], seed, &mut scratch);
+            for (k, &point) in (start..end).zip(&points[start..end]) {
+                let nearest = finder.nearest(point, seed, &mut scratch);
                 seed = nearest.triangle;
                 found(k, nearest);
                 // Where a group was too large a smaller one may do; where the next one might do again
@@ -37,8 +37,8 @@ pub(super) fn nearest_of_each(finder: &Finder, points: &[DVec3], mut found: impl
                 radius *= 1.01;
             }
         } else if group.gather(finder, sphere, seed, &mut scratch) {
-            for k in start..end {
-                let nearest = group.nearest(finder, points[k], &mut scratch);
+            for (k, &point) in (start..end).zip(&points[start..end]) {
+                let nearest = group.nearest(finder, point, &mut scratch);
                 seed = nearest.triangle;
                 found(k, nearest);
             }

@@ -29,7 +29,8 @@ pub struct Closest {
 /// The answer is the best of four: the closest points of the three edges and, where the query
 /// projects inside, of the face. Each of the four lies on the triangle whatever rounding did to its
 /// parameters, so obtuse, needle-like and fully degenerate triangles (whose corners may coincide)
-/// never report less than their distance, and more only by the rounding of one vector.
+/// never report less than their distance. They report more by some 1e-16 of the vectors involved, in
+/// a sliver times its length ÷ height, and never by more than that height.
 pub fn closest_point(query: DVec3, corners: [DVec3; 3]) -> Closest {
     let places = Places::new(query, corners);
     let distance_squared = places.distance_squared();
@@ -114,4 +115,93 @@ fn to_edge(from_start: DVec3, edge: DVec3) -> (f64, f64) {
     let along = if along > 0.0 { along } else { 0.0 };
     let along = if along < 1.0 { along } else { 1.0 };
     (along, (from_start - edge * along).length_squared())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: DVec3 = DVec3::ZERO;
+    const B: DVec3 = DVec3::new(4.0, 0.0, 0.0);
+    const C: DVec3 = DVec3::new(0.0, 3.0, 0.0);
+
+    #[track_caller]
+    fn expect(query: DVec3, corners: [DVec3; 3], point: DVec3, feature: Feature) {
+        let closest = closest_point(query, corners);
+        assert_eq!(closest.feature, feature, "feature for {query}");
+        assert!(closest.point.distance(point) < 1e-15, "{} is not {point}", closest.point);
+        let distance_squared = query.distance_squared(point);
+        assert!((closest.distance_squared - distance_squared).abs() < 1e-14, "distance for {query}");
+    }
+
+    #[test]
+    fn every_feature_of_a_triangle_is_found() {
+        let triangle = [A, B, C];
+        expect(DVec3::new(1.0, 1.0, 5.0), triangle, DVec3::new(1.0, 1.0, 0.0), Feature::Face);
+        expect(DVec3::new(2.0, -1.0, 1.0), triangle, DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
+        expect(DVec3::new(5.0, 5.5, 2.0), triangle, DVec3::new(2.0, 1.5, 0.0), Feature::Edge(1));
+        expect(DVec3::new(-1.0, 1.0, 0.0), triangle, DVec3::new(0.0, 1.0, 0.0), Feature::Edge(2));
+        expect(DVec3::new(-1.0, -1.0, 1.0), triangle, A, Feature::Vertex(0));
+        expect(DVec3::new(6.0, 0.0, 1.0), triangle, B, Feature::Vertex(1));
+        expect(DVec3::new(0.0, 6.0, 1.0), triangle, C, Feature::Vertex(2));
+    }
+
+    #[test]
+    fn a_query_on_the_triangle_is_at_distance_zero() {
+        for corner in [A, B, C] {
+            assert_eq!(closest_point(corner, [A, B, C]).distance_squared, 0.0, "corner {corner}");
+        }
+        expect(DVec3::new(1.0, 1.0, 0.0), [A, B, C], DVec3::new(1.0, 1.0, 0.0), Feature::Face);
+        expect(DVec3::new(2.0, 0.0, 0.0), [A, B, C], DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
+    }
+
+    #[test]
+    fn an_obtuse_triangle_does_not_skip_its_far_edge() {
+        // Beyond the corner a by both of its edges' parameters, yet closest to the edge bc.
+        let obtuse = [A, DVec3::new(10.0, 1.0, 0.0), DVec3::new(-10.0, 1.0, 0.0)];
+        expect(DVec3::new(0.0, 2.0, 0.0), obtuse, DVec3::new(0.0, 1.0, 0.0), Feature::Edge(1));
+        expect(DVec3::new(-7.0, 9.0, 0.0), obtuse, DVec3::new(-7.0, 1.0, 0.0), Feature::Edge(1));
+        expect(DVec3::new(0.0, -2.0, 0.0), obtuse, A, Feature::Vertex(0));
+    }
+
+    #[test]
+    fn a_needle_is_as_good_as_its_long_edges() {
+        let needle = [A, DVec3::new(1.0, 1e-13, 0.0), DVec3::new(1.0, 0.0, 0.0)];
+        for x in [0.1, 0.5, 0.9] {
+            let closest = closest_point(DVec3::new(x, 0.0, 0.25), needle);
+            assert!((closest.distance_squared - 0.0625).abs() < 1e-16, "at {x}");
+        }
+    }
+
+    #[test]
+    fn a_equals_b_leaves_the_segment_ac() {
+        expect(DVec3::new(1.0, 2.0, 0.0), [A, A, C], DVec3::new(0.0, 2.0, 0.0), Feature::Edge(1));
+    }
+
+    #[test]
+    fn b_equals_c_leaves_the_segment_ab() {
+        expect(DVec3::new(2.0, 2.0, 0.0), [A, B, B], DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
+    }
+
+    #[test]
+    fn a_equals_c_leaves_the_segment_ab() {
+        expect(DVec3::new(2.0, 2.0, 0.0), [A, B, A], DVec3::new(2.0, 0.0, 0.0), Feature::Edge(0));
+    }
+
+    #[test]
+    fn all_equal_leaves_a_point() {
+        expect(DVec3::new(2.0, 2.0, 1.0), [C, C, C], C, Feature::Vertex(0));
+        assert_eq!(closest_point(C, [C, C, C]).distance_squared, 0.0);
+    }
+
+    #[test]
+    fn collinear_corners_leave_the_longest_segment() {
+        let end = DVec3::new(9.0, 0.0, 0.0);
+        for corners in [[A, B, end], [B, end, A], [end, A, B]] {
+            let closest = closest_point(DVec3::new(6.0, 2.0, 0.0), corners);
+            assert_eq!(closest.point, DVec3::new(6.0, 0.0, 0.0), "for {corners:?}");
+            let beyond = closest_point(DVec3::new(12.0, 4.0, 0.0), corners);
+            assert_eq!((beyond.point, beyond.distance_squared), (end, 25.0), "for {corners:?}");
+        }
+    }
 }

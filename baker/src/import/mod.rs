@@ -2,6 +2,8 @@
 
 mod obj;
 mod ply;
+#[cfg(test)]
+mod tests;
 
 use glam::DVec3;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,8 @@
 //! A soup to a [`CheckedMesh`]: welded, without degenerate triangles, its topology known.
 
 pub(crate) mod adjacency;
+#[cfg(test)]
+mod tests;
 mod topology;
 mod weld;
 

@@ -71,6 +71,9 @@ mod tests {
     use crate::verify::SeamStatistics;
     use glam::DVec3;
 
+    /// A change to what a file promises.
+    type Edit = fn(&mut ErrorContract);
+
     /// Errors of 0.001, 0.002, … 1, in mesh units.
     fn measurement() -> Measurement {
         let answers: Vec<(f32, [f32; 3])> = (1..=1000).map(|step| (step as f32 / 1000.0, [1.0, 0.0, 0.0])).collect();
@@ -95,7 +98,7 @@ mod tests {
 
     #[test]
     fn every_figure_can_be_exceeded() {
-        let lowered: [(&str, fn(&mut ErrorContract)); 7] = [
+        let lowered: [(&str, Edit); 7] = [
             ("uniform RMSE", |contract| contract.uniform.rmse *= 0.99),
             ("uniform 99 % quantile", |contract| contract.uniform.p99 *= 0.99),
             ("uniform maximum", |contract| contract.uniform.max *= 0.99),
@@ -113,7 +116,7 @@ mod tests {
 
     #[test]
     fn fresh_points_refute_what_chance_does_not_explain() {
-        let explained: [fn(&mut ErrorContract); 3] = [
+        let explained: [Edit; 3] = [
             |contract| contract.uniform.rmse /= 1.2,
             |contract| contract.band.p99 = 0.981,
             |contract| contract.band.max = 0.9995,
@@ -124,7 +127,7 @@ mod tests {
             assert_eq!(refutes(&contract, &measurement()), None);
         }
 
-        let refuted: [(&str, fn(&mut ErrorContract)); 6] = [
+        let refuted: [(&str, Edit); 6] = [
             ("uniform RMSE", |contract| contract.uniform.rmse /= 1.3),
             ("uniform 98 % quantile", |contract| contract.uniform.p99 = 0.979),
             ("uniform 99.9 % quantile", |contract| contract.uniform.max = 0.998),

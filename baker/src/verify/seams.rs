@@ -114,8 +114,10 @@ struct Sums {
 impl Sums {
     fn add(&mut self, (here, gradient_here): (f32, [f32; 3]), (there, gradient_there): (f32, [f32; 3])) {
         let jump = (f64::from(here) - f64::from(there)).abs();
-        let gradient_square: f64 =
-            (0..3).map(|axis| (f64::from(gradient_here[axis]) - f64::from(gradient_there[axis])).powi(2)).sum();
+        let gradient_square: f64 = (0..3)
+            .map(|axis| f64::from(gradient_here[axis]) - f64::from(gradient_there[axis]))
+            .map(|difference| difference * difference)
+            .sum();
 
         *self = self.plus(Self {
             points: 1,
