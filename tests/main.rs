@@ -14,6 +14,8 @@ mod determinism;
 mod distance;
 /// A reader in another language, written from the specification alone, agrees.
 mod python_reader;
+/// Rays, regions, descents and moved fields keep what they promise.
+mod queries;
 /// What fuzzers found stays fixed.
 mod regressions;
 /// What was baked is what is read.

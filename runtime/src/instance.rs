@@ -49,10 +49,10 @@ impl<'a> Instance<'a> {
         if !(1.0 / LARGEST..=LARGEST).contains(&scale) {
             return Err(NotASimilarity);
         }
-        let units = axes.map(|axis| axis.map(|part| part / scale));
-        for (first, second) in [(0, 1), (0, 2), (1, 2)] {
-            let product = math::dot(units[first], units[second]).abs();
-            let length = (math::dot(units[second], units[second]) - 1.0).abs();
+        let [x, y, z] = axes.map(|axis| axis.map(|part| part / scale));
+        for (first, second) in [(x, y), (x, z), (y, z)] {
+            let product = math::dot(first, second).abs();
+            let length = (math::dot(second, second) - 1.0).abs();
             if product > TOLERANCE || length > 2.0 * TOLERANCE {
                 return Err(NotASimilarity);
             }

@@ -145,21 +145,22 @@ pub(crate) fn nearest(bounds: Aabb, point: [f32; 3]) -> [f32; 3] {
 }
 
 pub(crate) fn longest_side(bounds: Aabb) -> f32 {
-    [0, 1, 2].into_iter().fold(0.0, |longest, axis: usize| (bounds.max[axis] - bounds.min[axis]).max(longest))
+    let sides = bounds.min.into_iter().zip(bounds.max).map(|(min, max)| max - min);
+    sides.fold(0.0, f32::max)
 }
 
 /// The part of a ray inside a box: where along it, from 0 to `length`.
 fn clip(bounds: Aabb, origin: [f32; 3], direction: [f32; 3], length: f32) -> Option<(f32, f32)> {
     let (mut start, mut end) = (0.0_f32, length.min(f32::MAX));
-    for axis in [0, 1, 2] {
-        let (low, high) = (bounds.min[axis] - origin[axis], bounds.max[axis] - origin[axis]);
-        if direction[axis] == 0.0 {
+    for (((min, max), origin), direction) in bounds.min.into_iter().zip(bounds.max).zip(origin).zip(direction) {
+        let (low, high) = (min - origin, max - origin);
+        if direction == 0.0 {
             if low > 0.0 || high < 0.0 {
                 return None;
             }
             continue;
         }
-        let (a, b) = (low / direction[axis], high / direction[axis]);
+        let (a, b) = (low / direction, high / direction);
         start = start.max(a.min(b));
         end = end.min(a.max(b));
     }

@@ -227,10 +227,11 @@ impl<'a> Octree<'a> {
     /// Whether a leaf holds a position: whether [`leaf_at`](Self::leaf_at) would find it.
     #[inline]
     pub(crate) fn holds(&self, leaf: &Leaf, position: [f32; 3]) -> bool {
-        [0, 1, 2].into_iter().all(|axis: usize| {
+        let is_in = [0, 1, 2].map(|axis: usize| {
             let cell = (position[axis] as u32).min(self.lattice[axis] - 1);
             cell ^ leaf.cell[axis] < leaf.edge
-        })
+        });
+        is_in == [true; 3]
     }
 
     /// The leaves, depth first.
