@@ -8,6 +8,7 @@ use nearfield_bake::progress::Silent;
 use nearfield_bake::settings::{Settings, Target};
 use nearfield_fuzz::structure::{Choices, mutate, repair};
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -18,7 +19,8 @@ fn run(arguments: &[&str], files: &[PathBuf]) -> Option<String> {
         Ok(output) => output,
         Err(error) => {
             assert_ne!(std::env::var("CI").as_deref(), Ok("true"), "python3 cannot run: {error}");
-            println!("SKIPPED: python3 cannot run: {error}");
+            // Written past the harness, which hides what passing tests print.
+            let _written = writeln!(std::io::stderr(), "SKIPPED: python3 cannot run: {error}");
             return None;
         }
     };
@@ -148,8 +150,11 @@ fn agree_on(bytes: &[u8], count: usize) {
             assert_eq!([distance, x, y, z].map(f32::to_bits), answer.map(f32::to_bits), "at {point:?}");
         } else {
             // Only the length of the way to the box may be rounded differently.
+            let at = DVec3::from(point.map(f64::from));
+            let nearest = at.clamp(min, max);
+            let scale = field.distance(nearest.as_vec3().to_array()).abs() + at.distance(nearest) as f32;
             let close = |a: f32, b: f32, scale: f32| (a - b).abs() <= 4.0 * f32::EPSILON * scale;
-            assert!(close(distance, answer[0], distance.abs()), "{distance} and {} at {point:?}", answer[0]);
+            assert!(close(distance, answer[0], scale), "{distance} and {} at {point:?}", answer[0]);
             assert!([x, y, z].iter().zip(&answer[1..]).all(|(&a, &b)| close(a, b, 1.0)), "gradient at {point:?}");
         }
     }

@@ -69,7 +69,7 @@ pub fn bake_small(bytes: &[u8]) {
 fn settings(numbers: &mut Numbers<'_>) -> Settings {
     let start_depth = numbers.below(4);
     Settings {
-        error: Target::Relative(f64::from(1 + numbers.next()) / 2000.0),
+        error: Target::Relative((f64::from(numbers.next()) + 1.0) / 2000.0),
         interpolant: [Interpolant::Trilinear, Interpolant::Tricubic][usize::from(numbers.below(2))],
         continuity: [Continuity::None, Continuity::C0, Continuity::C1][usize::from(numbers.below(3))],
         precision: [Precision::Packed32, Precision::F16, Precision::F32][usize::from(numbers.below(3))],

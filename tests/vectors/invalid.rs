@@ -1,4 +1,4 @@
-//! Files that every reader must refuse, each for one reason, and the name of the reason (§11).
+//! Files that every reader must refuse, each for one reason, and the name of the reason (§12).
 //!
 //! Each is a valid file with one change, under the right checksums unless the checksum is the change.
 
@@ -106,7 +106,9 @@ fn preamble(vectors: &mut Vectors) {
     vectors.bytes("ends_a_word_early", "FileLength", |bytes| bytes.truncate(bytes.len() - 4));
     vectors.bytes("trailing_byte", "FileLength", |bytes| bytes.push(0));
     vectors.bytes("magic_of_something_else", "Magic", |bytes| bytes[1] = b'M');
-    vectors.bytes("magic_after_text_transfer", "Magic", |bytes| drop(bytes.remove(4)));
+    vectors.bytes("magic_after_text_transfer", "Magic", |bytes| {
+        bytes.remove(4);
+    });
     vectors.file("version_0_0", "Version", |file| file.version = [0, 0]);
     vectors.file("version_1_1", "Version", |file| file.version = [1, 1]);
     vectors.file("version_2_0", "Version", |file| file.version = [2, 0]);
@@ -307,16 +309,18 @@ fn blocks(vectors: &mut Vectors) {
         octree.nodes[0] += 1;
     });
     vectors.octree("words_after_last_block", "BlockOrder", |octree| octree.samples.push(0));
-    vectors.octree("last_block_cut", "BlockOrder", |octree| drop(octree.samples.pop()));
+    vectors.octree("last_block_cut", "BlockOrder", |octree| {
+        octree.samples.pop();
+    });
     vectors.octree("last_block_header_cut", "BlockOrder", |octree| {
         let start = octree.nodes[19] as usize & 0xFFF;
         octree.samples.truncate(start + 2);
     });
     vectors.octree("no_samples", "BlockOrder", |octree| octree.samples.clear());
-    let trilinear_precisions = [("packed32", PACKED32), ("f16", F16), ("f32", F32)];
-    for (name, precision) in trilinear_precisions {
-        let leaf = || one_leaf(TRILINEAR, precision, 0);
-        vectors.changed(&format!("trilinear_{name}_cut"), "BlockOrder", leaf(), |octree| drop(octree.samples.pop()));
+    for (name, precision) in [("packed32", PACKED32), ("f16", F16), ("f32", F32)] {
+        vectors.changed(&format!("trilinear_{name}_cut"), "BlockOrder", one_leaf(TRILINEAR, precision, 0), |octree| {
+            octree.samples.pop();
+        });
         vectors.changed(&format!("tricubic_{name}_cut"), "BlockOrder", one_leaf(TRICUBIC, precision, 1), |octree| {
             octree.samples.pop();
         });

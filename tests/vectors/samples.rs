@@ -63,7 +63,10 @@ impl Random {
     pub(crate) fn sample(&mut self, precision: u32, is_full: bool) -> Vec<u32> {
         let derivatives = if is_full { 7 } else { 3 };
         match (precision, is_full) {
-            (PACKED32, false) => vec![self.word() % 1023 | self.word() % 1023 << 10 | (self.word() & 0xFFF) << 20],
+            (PACKED32, false) => {
+                let (x, y, distance) = (self.word() % 1023, self.word() % 1023, self.word() & 0xFFF);
+                vec![x | y << 10 | distance << 20]
+            }
             (F32, _) => (0..=derivatives).map(|_| self.number().to_bits()).collect(),
             _ => {
                 let mut halves = vec![self.word() & 0xFFFF];

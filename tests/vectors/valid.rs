@@ -1,7 +1,7 @@
 //! Files that every reader must accept, most of which the baker would never write.
 
 use super::samples::{ALL, Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
-use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR};
+use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR, corners};
 
 const INTERPOLANTS: [(&str, u8); 2] = [("trilinear", TRILINEAR), ("tricubic", TRICUBIC)];
 const PRECISIONS: [(&str, u32); 3] = [("packed32", PACKED32), ("f16", F16), ("f32", F32)];
@@ -166,8 +166,8 @@ fn moved(box_min: [f32; 3], root_edge: f32, quantum: f32) -> Octree {
 /// Distances, slopes and mixed derivatives of ±2⁶⁰.
 fn largest_samples() -> Octree {
     let most = two_to(60).to_bits();
-    let samples = [(1 << 27) - 1 & 0b011_011_000_011_011 | F32 << 27, 0b011_011_000_011_011, 0];
-    let numbers = (0..64_u32).map(|index| most | index.count_ones() % 2 << 31);
+    let samples = [corners(0) | F32 << 27, corners(0), 0];
+    let numbers = (0..64_u32).map(|index| most | (index.count_ones() % 2) << 31);
     let octree = octree_of_one_leaf();
     Octree { root_edge: 1.0, samples: samples.into_iter().chain(numbers).collect(), ..octree }
 }

@@ -53,7 +53,12 @@ fn query(field: Field<'_>, point: [f32; 3]) {
     if let Ok(instance) = Instance::new(field, black_box([point; 3]), point) {
         black_box((instance.distance(point), instance.distance_and_gradient(point)));
     }
-    for leaf in field.octree().leaves() {
-        black_box(field.octree().evaluate(&leaf, point));
+    if let Some(octree) = field.octree() {
+        for leaf in octree.leaves() {
+            black_box(octree.evaluate(&leaf, point));
+        }
+    }
+    if let Some(grid) = field.grid() {
+        black_box(grid.evaluate(black_box([0; 3]), point));
     }
 }
