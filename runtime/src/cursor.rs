@@ -31,9 +31,9 @@ impl<'a> Cursor<'a> {
     /// [`Field::distance`], to the bit.
     #[inline]
     pub fn distance(&mut self, point: [f32; 3]) -> f32 {
-        match self.field.octree() {
+        match self.field.octree_in_place() {
             Some(octree) if octree.contains(point) => {
-                let (_, local) = self.move_to(&octree, point);
+                let (_, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.value_between(&self.jets, local)
             }
             _ => self.field.distance(point),
@@ -43,28 +43,28 @@ impl<'a> Cursor<'a> {
     /// [`Field::distance_and_gradient`], to the bit.
     #[inline]
     pub fn distance_and_gradient(&mut self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        match self.field.octree() {
+        match self.field.octree_in_place() {
             Some(octree) if octree.contains(point) => {
-                let (leaf, local) = self.move_to(&octree, point);
+                let (leaf, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.evaluate_between(&leaf, &self.jets, local)
             }
             _ => self.field.distance_and_gradient(point),
         }
     }
+}
 
-    /// The leaf of a point of the box, whose corners are then at hand, and where in it the point is.
-    #[inline]
-    fn move_to(&mut self, octree: &Octree<'_>, point: [f32; 3]) -> (Leaf, [f32; 3]) {
-        let position = octree.position(point);
-        let leaf = match self.leaf {
-            Some(leaf) if octree.holds(&leaf, position) => leaf,
-            _ => {
-                let leaf = octree.leaf_at(position.map(|cells| cells as u32));
-                octree.read_corners(&leaf, &mut self.jets);
-                self.leaf = Some(leaf);
-                leaf
-            }
-        };
-        (leaf, octree.local(&leaf, position))
-    }
+/// The leaf of a point of the box, whose corners are then in `jets`, and where in it the point is.
+#[inline]
+fn move_to(octree: &Octree<'_>, point: [f32; 3], last: &mut Option<Leaf>, jets: &mut Jets) -> (Leaf, [f32; 3]) {
+    let position = octree.position(point);
+    let leaf = match *last {
+        Some(leaf) if octree.holds(&leaf, position) => leaf,
+        _ => {
+            let leaf = octree.leaf_at(position.map(|cells| cells as u32));
+            octree.read_corners(&leaf, jets);
+            *last = Some(leaf);
+            leaf
+        }
+    };
+    (leaf, octree.local(&leaf, position))
 }

@@ -168,6 +168,15 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// The octree where it lies.
+    #[inline]
+    pub(crate) fn octree_in_place(&self) -> Option<&Octree<'a>> {
+        match &self.shape {
+            Shape::Octree(octree) => Some(octree),
+            Shape::Grid(_) => None,
+        }
+    }
+
     /// The grid, for those who read its samples; `None` for another family.
     pub fn grid(&self) -> Option<Grid<'a>> {
         match self.shape {
