@@ -12,6 +12,8 @@ mod continuity;
 mod determinism;
 /// The distance engine agrees with every triangle and with formulas.
 mod distance;
+/// Grids answer as the papers say, whatever their order, reconstruction and precision.
+mod grids;
 /// The gradient is the derivative of the value, and the Lipschitz bound holds.
 mod properties;
 /// A reader in another language, written from the specification alone, agrees.

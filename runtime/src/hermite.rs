@@ -152,8 +152,9 @@ fn linear(t: f32) -> [f32; 2] {
     [1.0 - t, t]
 }
 
+/// Weighted sum of the corners: the product of the weights along each axis.
 #[inline]
-fn trilinear_sum(&[a, b, c, d, e, f, g, h]: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
+pub(crate) fn trilinear_sum(&[a, b, c, d, e, f, g, h]: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
     let [a, b, c, d] = [mix(x, [a, e]), mix(x, [b, f]), mix(x, [c, g]), mix(x, [d, h])];
     mix(z, [mix(y, [a, c]), mix(y, [b, d])])
 }

@@ -7,6 +7,7 @@ mod bench;
 mod error_table;
 mod exit_code;
 mod files;
+mod grid_arguments;
 mod info;
 mod progress_bar;
 mod query;
