@@ -116,7 +116,8 @@ fn every_rule_is_enforced() {
     let file = File::new(1, reconstruction::HALF, precision::PACKED32);
     assert_eq!(file.error_after(|_| ()), None);
 
-    let rules: [(Error, fn(&mut File)); 19] = [
+    type Rule = (Error, fn(&mut File));
+    let rules: [Rule; 19] = [
         (Error::Reserved, |file| file.reserved = 1),
         (Error::GridReconstruction, |file| file.order = 4),
         (Error::GridReconstruction, |file| file.order = 0),
@@ -130,8 +131,8 @@ fn every_rule_is_enforced() {
         (Error::GridScale, |file| file.quantum = f32::INFINITY),
         (Error::GridResolution, |file| file.resolution[2] = 1),
         (Error::GridResolution, |file| file.resolution = [u16::MAX; 3]),
-        (Error::GridResolution, |file| _ = file.words.pop()),
-        (Error::GridResolution, |file| _ = file.bases.pop()),
+        (Error::GridResolution, |file| file.words.truncate(file.words.len() - 1)),
+        (Error::GridResolution, |file| file.bases.truncate(1)),
         (Error::GridSamples, |file| file.words.push(0)),
         (Error::GridSamples, |file| file.bases.push(0)),
         (Error::BlockBase, |file| file.bases[1] = block::MAX_BASE + 1),
@@ -157,7 +158,7 @@ fn every_rule_is_enforced() {
 fn a_grid_of_lone_distances() {
     let mut file = File::new(1, reconstruction::LINEAR, precision::PACKED32);
     (file.order, file.resolution, file.bases) = (0, [3, 3, 3], std::vec![-7]);
-    file.words = (0..14).map(|pair: u32| 2 * pair | (2 * pair + 1) << 16).collect();
+    file.words = (0..14).map(|pair: u32| (2 * pair) | ((2 * pair + 1) << 16)).collect();
     assert_eq!(file.error_after(|_| ()), Some(Error::Reserved), "the 28th of 27 codes");
     file.words[13] &= 0xFFFF;
     let bytes = file.bytes();
