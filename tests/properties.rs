@@ -21,7 +21,7 @@ fn the_gradient_is_the_derivative_of_the_value() {
     const STEP: f64 = 0.125;
     for interpolant in [Interpolant::Trilinear, Interpolant::Tricubic] {
         let bytes = baked(interpolant);
-        let octree = Field::open(&bytes).expect("a field").octree();
+        let octree = Field::open(&bytes).expect("a field").octree().expect("an octree");
         let leaves: Vec<Leaf> = octree.leaves().collect();
         let mut numbers = Numbers::new(4);
         for _ in 0..TRIALS {
