@@ -547,6 +547,7 @@ def interpolate(corners, weights):
     return along(along_z, F, FZ, *sides)
 
 
+# §3.5. Grids (§11) are refused as an unknown family: no one has written them down here yet.
 FAMILIES = {2: Octree}
 
 # ---- The command line ------------------------------------------------------------------------------------------------
