@@ -88,6 +88,19 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.commit()
 }
 
+/// Writes a whole file, unless it is there already and holds these bytes. Returns whether it was written.
+///
+/// # Errors
+/// As [`write`].
+pub fn write_if_changed(path: &Path, bytes: &[u8]) -> io::Result<bool> {
+    // The length first: another length is another content, and nothing need be read.
+    let same_length = fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == bytes.len() as u64);
+    if same_length && fs::read(path).is_ok_and(|existing| existing == bytes) {
+        return Ok(false);
+    }
+    write(path, bytes).map(|()| true)
+}
+
 /// Whether `path` could be written now: asked before the hours of work, not after.
 ///
 /// # Errors
@@ -151,6 +164,20 @@ mod tests {
 
         assert_eq!(fs::read(&path).expect("the new file"), b"new");
         assert_eq!(entries(folder.path()), ["field.nfd"]);
+    }
+
+    #[test]
+    fn the_same_bytes_are_not_written_again() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("field.nfd");
+        let modified = || fs::metadata(&path).and_then(|file| file.modified()).expect("a time");
+
+        assert!(write_if_changed(&path, b"old").expect("the first write"));
+        let before = modified();
+        assert!(!write_if_changed(&path, b"old").expect("no write"));
+        assert_eq!(modified(), before);
+        assert!(write_if_changed(&path, b"new").expect("the second write"));
+        assert_eq!(fs::read(&path).expect("the new file"), b"new");
     }
 
     #[test]

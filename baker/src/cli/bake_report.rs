@@ -7,6 +7,7 @@ use nearfield_bake::distance::SignMethod;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::report::{Report, Stage};
 use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
 
@@ -85,7 +86,7 @@ pub(super) fn summary(
     text
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct BakeReport {
     schema: u32,
     mesh: MeshReport,
@@ -97,7 +98,7 @@ pub(super) struct BakeReport {
     stages: Vec<StageReport>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct MeshReport {
     path: String,
     triangles: usize,
@@ -113,7 +114,7 @@ struct MeshReport {
     components: usize,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct SettingsReport {
     error: f64,
     error_is_relative: bool,
@@ -125,7 +126,7 @@ struct SettingsReport {
     margin: f64,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct StageReport {
     name: &'static str,
     wall_seconds: f64,

@@ -5,6 +5,7 @@ use super::exit_code::Failure;
 use super::{files, print, to_json};
 use clap::Args;
 use nearfield::{Continuity, Field, Interpolant, Octree, SignMethod};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -24,7 +25,7 @@ pub(super) struct Info {
     json: bool,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct InfoReport {
     schema: u32,
     version: [u16; 2],
@@ -43,7 +44,7 @@ pub(super) struct InfoReport {
     baker_version: String,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct OctreeReport {
     root_cells: [u32; 3],
     root_edge: f32,
@@ -55,7 +56,7 @@ struct OctreeReport {
     leaves_by_level: Vec<u32>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct SectionReport {
     kind: String,
     offset: usize,
