@@ -4,11 +4,13 @@ use crate::distance::{SignMethod, SignedDistance};
 use crate::encode::{EncodeError, Provenance, encode, write_contract};
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
+use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
 use crate::settings::{Settings, SettingsError};
 use crate::verify::{self, CONTRACT_SEED};
-use nearfield::{Field, layout};
+use nearfield::Field;
+use nearfield::layout::{self, limit};
 use thiserror::Error;
 
 /// A finished field.
@@ -26,6 +28,18 @@ pub enum BakeError {
     /// The settings contradict themselves.
     #[error(transparent)]
     Settings(#[from] SettingsError),
+    /// The mesh is too small, too large or too far from the origin for the `f32` of the reader.
+    #[error(
+        "cells of edge {edge:e} as far out as {farthest:e} are beyond the format, which ends at edges of {:e} and coordinates of {:e}: scale the mesh",
+        limit::MIN_ROOT_EDGE,
+        limit::MAX_MAGNITUDE
+    )]
+    Extent {
+        /// Edge of a root cell, mesh units.
+        edge: f64,
+        /// Largest coordinate of the domain, mesh units.
+        farthest: f64,
+    },
     /// The format cannot hold the field.
     #[error(transparent)]
     Encode(#[from] EncodeError),
@@ -37,6 +51,7 @@ pub enum BakeError {
 /// Bakes a mesh: the same mesh and settings give the same bytes on any machine and any number of threads.
 pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) -> Result<Baked, BakeError> {
     settings.check()?;
+    check_extent(&Domain::around(&mesh.bounds, settings))?;
     let diagonal = mesh.bounds.diagonal();
     let target = settings.error.absolute(diagonal);
     let mut stopwatch = Stopwatch::start(progress);
@@ -78,4 +93,12 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
         stages: stopwatch.stop(),
     };
     Ok(Baked { bytes, report })
+}
+
+/// The reader computes in `f32`: lengths must stay in its range.
+fn check_extent(domain: &Domain) -> Result<(), BakeError> {
+    let far_corner = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
+    let (edge, farthest) = (domain.root_edge, domain.origin.abs().max(far_corner.abs()).max_element());
+    let fits = edge >= f64::from(limit::MIN_ROOT_EDGE) && farthest <= f64::from(limit::MAX_MAGNITUDE);
+    if fits { Ok(()) } else { Err(BakeError::Extent { edge, farthest }) }
 }

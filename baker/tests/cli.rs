@@ -164,11 +164,23 @@ fn inputs_that_are_no_meshes_end_with_3_and_leave_no_file() {
     bench.write("range.obj", CUBE.replacen("f 1 3 4", "f 1 3 9", 1));
     bench.write("truncated.ply", &spot[..spot.len() / 2]);
     bench.write("words.xyz", "no mesh at all");
+    let edges = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    bench.write("tiny.obj", format!("v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nv 0 0 1e-30\n{edges}"));
+    bench.write("huge.obj", format!("v 0 0 0\nv 1e60 0 0\nv 0 1e60 0\nv 0 0 1e60\n{edges}"));
 
     let before = bench.files();
-    for name in
-        ["missing.obj", "empty.obj", "no_faces.obj", "flat.obj", "nan.obj", "range.obj", "truncated.ply", "words.xyz"]
-    {
+    for name in [
+        "missing.obj",
+        "empty.obj",
+        "no_faces.obj",
+        "flat.obj",
+        "nan.obj",
+        "range.obj",
+        "truncated.ply",
+        "words.xyz",
+        "tiny.obj",
+        "huge.obj",
+    ] {
         bench.run(&format!("bake {name} -o out.nfd --report out.json")).fails(3, &[name]);
     }
     assert_eq!(bench.files(), before, "no partial file");
@@ -217,6 +229,7 @@ fn points_that_are_no_points_end_with_3() {
     bench.run_with_input("query cube.nfd", b"0 0 0\n0 0\n").fails(3, &["line 2", "x y z"]);
     bench.run("query cube.nfd --points half.f32 -o out.f32").fails(3, &["half.f32"]);
     bench.run("query cube.nfd --points missing.f32 -o out.f32").fails(3, &["missing.f32"]);
+    bench.run("bench cube.nfd --points half.f32").fails(3, &["half.f32"]);
     assert!(!bench.path("out.f32").exists(), "no partial file");
 }
 
@@ -287,4 +300,10 @@ fn the_bench_compares_with_a_dense_grid() {
             assert!(set[figure].as_f64().expect("a number") > 0.0, "{figure}");
         }
     }
+
+    // Inside, outside and on a corner of the mesh.
+    let points: [[f32; 3]; 3] = [[0.5, 0.5, 0.5], [9.0, 0.0, 0.0], [1.0, 1.0, 1.0]];
+    bench.write("points.f32", points.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>());
+    let given = bench.run("bench cube.nfd --points points.f32").succeeds().stdout();
+    assert!(given.contains("given") && !given.contains("random"), "{given}");
 }

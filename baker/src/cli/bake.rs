@@ -12,7 +12,7 @@ use nearfield_bake::report::Stopwatch;
 use nearfield_bake::settings::{self, Settings, Target};
 use nearfield_bake::{BakeError, bake};
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Bake a mesh into a field
 ///
@@ -136,7 +136,7 @@ impl Bake {
             stopwatch.stage("read");
             let mesh = files::read_mesh(&self.mesh)?;
             let reading = stopwatch.stop();
-            let baked = bake(&mesh, &settings, &progress).map_err(|error| bake_failure(&error))?;
+            let baked = bake(&mesh, &settings, &progress).map_err(|error| bake_failure(&error, &self.mesh))?;
             Ok((mesh, reading, baked))
         })?;
         progress.clear();
@@ -240,9 +240,10 @@ impl Bake {
     }
 }
 
-pub(super) fn bake_failure(error: &BakeError) -> Failure {
+pub(super) fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
+        BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),
         BakeError::Encode(error) => Failure::Budget(error.to_string()),
         BakeError::Rejected(_) => Failure::Field(error.to_string()),
     }

@@ -195,7 +195,7 @@ impl Batch {
         if let Some(path) = inputs.disturbed() {
             return Err(Failure::Input(format!("{} changed while it was read; run the batch again", path.display())));
         }
-        let baked = bake(&mesh, &settings, &Silent).map_err(|error| bake_failure(&error))?;
+        let baked = bake(&mesh, &settings, &Silent).map_err(|error| bake_failure(&error, &asset.mesh))?;
         files::write_bytes_if_changed(&asset.field, &baked.bytes)?;
         if let Err(error) = cache.keep(&inputs.key, &baked.bytes) {
             tell(&format!("warning: {}: the cache did not take it: {error}\n", asset.field.display()));

@@ -33,6 +33,36 @@ pub(super) fn open_field<'a>(bytes: &'a [u8], path: &Path) -> Result<Field<'a>, 
     Ok(field)
 }
 
+/// Bytes of a point in a file of points: three little-endian `f32`.
+pub(super) const POINT_BYTES: usize = 12;
+
+/// A point of a file of points.
+pub(super) fn point_of_bytes(bytes: &[u8; POINT_BYTES]) -> [f32; 3] {
+    let (coordinates, _) = bytes.as_chunks::<4>();
+    std::array::from_fn(|axis| f32::from_le_bytes(coordinates[axis]))
+}
+
+/// All points of a file of finite points.
+pub(super) fn read_points(path: &Path) -> Result<Vec<[f32; 3]>, Failure> {
+    let bytes = read_bytes(path)?;
+    let (points, rest) = bytes.as_chunks::<POINT_BYTES>();
+    if !rest.is_empty() {
+        return Err(ends_within_a_point(path));
+    }
+    let points: Vec<[f32; 3]> = points.iter().map(point_of_bytes).collect();
+    match points.iter().flatten().all(|coordinate| coordinate.is_finite()) {
+        true if !points.is_empty() => Ok(points),
+        true => Err(Failure::Input(format!("{} holds no points", path.display()))),
+        false => Err(Failure::Input(format!("{} holds a point that is not finite", path.display()))),
+    }
+}
+
+/// The failure of a file of points that is cut off.
+pub(super) fn ends_within_a_point(path: &Path) -> Failure {
+    let path = path.display();
+    Failure::Input(format!("{path} ends within a point: points are three little-endian f32, {POINT_BYTES} bytes each"))
+}
+
 /// Writes a whole file or nothing; `-` is standard output.
 pub(super) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let outcome = if is_standard_stream(path) {

@@ -2,7 +2,7 @@
 
 use super::arguments::Threads;
 use super::exit_code::Failure;
-use super::files;
+use super::files::{self, POINT_BYTES};
 use clap::Args;
 use nearfield::Field;
 use nearfield_bake::output::OutputFile;
@@ -46,7 +46,6 @@ pub(super) struct Query {
 
 /// Points read, answered and written at a time: memory stays small whatever the input's length.
 const BLOCK: usize = 1 << 16;
-const POINT_BYTES: usize = 12;
 
 impl Query {
     pub(super) fn run(self) -> Result<(), Failure> {
@@ -100,17 +99,13 @@ impl Query {
             source.by_ref().take(length).read_to_end(&mut block).map_err(unreadable)?;
             let (points, rest) = block.as_chunks::<POINT_BYTES>();
             if !rest.is_empty() {
-                let sentence = format!(
-                    "{} ends within a point: points are three little-endian f32, {POINT_BYTES} bytes each",
-                    path.display()
-                );
-                return Err(Stop::Failed(Failure::Input(sentence)));
+                return Err(Stop::Failed(files::ends_within_a_point(path)));
             }
             if points.is_empty() {
                 return self.flush(answers);
             }
 
-            let points: Vec<[f32; 3]> = points.iter().map(point_of_bytes).collect();
+            let points: Vec<[f32; 3]> = points.iter().map(files::point_of_bytes).collect();
             let encoded: Vec<u8> = if self.gradient {
                 answers_with_gradients(field, &points)
                     .into_iter()
@@ -205,11 +200,6 @@ fn answers_without_gradients(field: &Field<'_>, points: &[[f32; 3]]) -> Vec<f32>
 
 fn answers_with_gradients(field: &Field<'_>, points: &[[f32; 3]]) -> Vec<(f32, [f32; 3])> {
     points.par_iter().with_min_len(BATCH).map(|&point| field.distance_and_gradient(point)).collect()
-}
-
-fn point_of_bytes(bytes: &[u8; POINT_BYTES]) -> [f32; 3] {
-    let (coordinates, _) = bytes.as_chunks::<4>();
-    std::array::from_fn(|axis| f32::from_le_bytes(coordinates[axis]))
 }
 
 fn point_of_text(line: &str) -> Option<[f32; 3]> {

@@ -140,9 +140,9 @@ impl Node {
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct Packet {
-    a: [f32x8; 3],
-    ab: [f32x8; 3],
-    ac: [f32x8; 3],
+    pub(super) a: [f32x8; 3],
+    pub(super) ab: [f32x8; 3],
+    pub(super) ac: [f32x8; 3],
     /// Triangle of each lane, with [`THIN`] added for thin ones, or [`NO_TRIANGLE`].
     triangles: [u32; LANES],
 }
@@ -199,7 +199,7 @@ impl Packet {
         wide::u32x8::new(self.triangles).to_bitmask()
     }
 
-    pub(super) fn triangles(&self) -> impl Iterator<Item = u32> {
+    pub(super) fn triangles(&self) -> impl Iterator<Item = u32> + Clone {
         let used = self.triangles.into_iter().filter(|&triangle| triangle != NO_TRIANGLE);
         used.map(|triangle| triangle & !THIN)
     }
@@ -238,7 +238,7 @@ impl Packet {
 }
 
 #[inline(always)]
-fn minus(a: [f32x8; 3], b: [f32x8; 3]) -> [f32x8; 3] {
+pub(super) fn minus(a: [f32x8; 3], b: [f32x8; 3]) -> [f32x8; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -248,12 +248,12 @@ fn times(a: [f32x8; 3], s: f32x8) -> [f32x8; 3] {
 }
 
 #[inline(always)]
-fn dot(a: [f32x8; 3], b: [f32x8; 3]) -> f32x8 {
+pub(super) fn dot(a: [f32x8; 3], b: [f32x8; 3]) -> f32x8 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-fn cross(a: [f32x8; 3], b: [f32x8; 3]) -> [f32x8; 3] {
+pub(super) fn cross(a: [f32x8; 3], b: [f32x8; 3]) -> [f32x8; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

@@ -9,6 +9,7 @@ mod local_mesh;
 mod neighbours;
 mod oriented_box;
 mod pseudonormal;
+mod solid_angle;
 #[cfg(test)]
 mod tests;
 pub mod triangle;

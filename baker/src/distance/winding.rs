@@ -5,15 +5,17 @@
 //! A triangle contributes its solid angle ÷ 4π; all triangles of a closed surface sum to 1 inside
 //! and 0 outside, and a hole blurs the step between them.
 
-use super::bvh::{Child, LANES, STACK, is_within_reach, splat};
+use super::bvh::{Child, LANES, Query, STACK, dot, is_within_reach, minus, splat};
 use super::bvh_nearest::Finder;
+use super::solid_angle::{CoarseSolidAngles, SolidAngles};
 use crate::geometry::area_vector;
 use glam::DVec3;
 use std::f64::consts::PI;
 use wide::f32x8;
 
 /// A node is far when the query is beyond this many radii from its centre.
-const FAR: f64 = 3.0;
+/// Measured on a bumpy sphere, closed and open: 2 errs by up to 0.026, 3 by 0.010 at twice the time.
+const FAR: f64 = 2.0;
 
 pub(super) struct WindingTree {
     dipoles: Vec<Dipoles>,
@@ -41,12 +43,18 @@ struct Cluster {
 }
 
 impl Cluster {
-    fn of_triangle(corners: [DVec3; 3]) -> Self {
-        let moment = 0.5 * area_vector(corners);
-        let area = moment.length();
-        let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-        let radius = corners.map(|corner| corner.distance(centre)).into_iter().fold(0.0, f64::max);
-        Self { area, area_times_centre: area * centre, moment, radius }
+    fn of_triangles(triangles: impl Iterator<Item = [DVec3; 3]> + Clone) -> Self {
+        let mut whole = Self::default();
+        for corners in triangles.clone() {
+            let moment = 0.5 * area_vector(corners);
+            whole.area += moment.length();
+            whole.area_times_centre += moment.length() * corners.iter().sum::<DVec3>() / 3.0;
+            whole.moment += moment;
+        }
+        for corner in triangles.flatten() {
+            whole.radius = whole.radius.max(corner.distance(whole.centre()));
+        }
+        whole
     }
 
     fn of(parts: &[Self]) -> Self {
@@ -81,8 +89,7 @@ impl WindingTree {
                     Some(Child::Node(child)) => sums[child],
                     Some(Child::Packet(packet)) => {
                         let triangles = bvh.packets[packet].triangles();
-                        let corners = triangles.map(|triangle| mesh.corners(triangle));
-                        Cluster::of(&corners.map(Cluster::of_triangle).collect::<Vec<_>>())
+                        Cluster::of_triangles(triangles.map(|triangle| mesh.corners(triangle)))
                     }
                 };
                 dipoles[index].set(lane, &part);
@@ -93,15 +100,16 @@ impl WindingTree {
         Self { dipoles }
     }
 
-    /// The winding number of the mesh around a local point: off by some 0.01 where the dipoles do
-    /// worst. Zero for points very far away.
+    /// The winding number of the mesh around a local point: off by some 0.03 where the dipoles do
+    /// worst, which moves the surface that closes a hole but no other sign. Zero for points very far
+    /// away.
     pub(super) fn at(&self, Finder { mesh, bvh }: &Finder, point: DVec3) -> f64 {
         if !is_within_reach(point) {
             return 0.0;
         }
         let query = splat(point);
         let mut far_sum = 0.0;
-        let mut near_sum = SolidAngles::default();
+        let (mut near_sum, mut near_sums) = (SolidAngles::ZERO, CoarseSolidAngles::ZERO);
         let mut stack = [0u32; STACK];
         let mut height = 1;
         while height > 0 {
@@ -120,13 +128,19 @@ impl WindingTree {
                         height += 1;
                     }
                     Some(Child::Packet(packet)) => {
-                        for triangle in bvh.packets[packet].triangles() {
-                            near_sum.add(mesh.corners(triangle).map(|corner| corner - point));
+                        let packet = &bvh.packets[packet];
+                        let mut unsure = near_sums.add(packet, query);
+                        while unsure != 0 {
+                            let lane = unsure.trailing_zeros() as usize;
+                            unsure &= unsure - 1;
+                            let corners = mesh.corners(packet.triangle(lane));
+                            near_sum.add(corners.map(|corner| corner - point));
                         }
                     }
                 }
             }
         }
+        near_sum.join(near_sums.sum());
         far_sum + near_sum.total() / (4.0 * PI)
     }
 }
@@ -148,56 +162,10 @@ impl Dipoles {
 
     /// What each child contributes, and a bit for each that is far.
     #[inline(always)]
-    fn at(&self, query: [f32x8; 3]) -> ([f32; LANES], u32) {
-        let [x, y, z] = [0, 1, 2].map(|k| self.centre[k] - query[k]);
-        let distance_squared = x * x + y * y + z * z;
-        let along = self.moment[0] * x + self.moment[1] * y + self.moment[2] * z;
-        let values = along / (distance_squared * distance_squared.sqrt());
+    fn at(&self, query: Query) -> ([f32; LANES], u32) {
+        let to_centre = minus(self.centre, query);
+        let distance_squared = dot(to_centre, to_centre);
+        let values = dot(self.moment, to_centre) / (distance_squared * distance_squared.sqrt());
         (values.to_array(), distance_squared.simd_gt(self.far_squared).to_bitmask())
-    }
-}
-
-/// A sum of solid angles, as the argument of a product of complex numbers and the turns it made.
-struct SolidAngles {
-    real: f64,
-    imaginary: f64,
-    turns: i32,
-}
-
-impl Default for SolidAngles {
-    fn default() -> Self {
-        Self { real: 1.0, imaginary: 0.0, turns: 0 }
-    }
-}
-
-impl SolidAngles {
-    /// Adds a triangle seen from the origin (Van Oosterom and Strackee 1983): half its solid angle is
-    /// the argument of `real + i·imaginary`.
-    fn add(&mut self, [a, b, c]: [DVec3; 3]) {
-        let [la, lb, lc] = [a, b, c].map(DVec3::length);
-        let imaginary = a.dot(b.cross(c));
-        let real = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-        let size = real.abs() + imaginary.abs();
-        if size == 0.0 {
-            // The query is on the triangle's plane and at its rim: no angle is right.
-            return;
-        }
-        let (real, imaginary) = (real / size, imaginary / size);
-
-        let product_real = self.real * real - self.imaginary * imaginary;
-        let product_imaginary = self.real * imaginary + self.imaginary * real;
-        // Two arguments in [0, π] whose sum passes π, or two in (−π, 0) whose sum passes −π.
-        let was_positive = self.imaginary >= 0.0;
-        if was_positive == (imaginary >= 0.0) && was_positive != (product_imaginary >= 0.0) {
-            self.turns += if was_positive { 1 } else { -1 };
-        }
-
-        // Kept near unit length.
-        let size = product_real.abs() + product_imaginary.abs();
-        (self.real, self.imaginary) = (product_real / size, product_imaginary / size);
-    }
-
-    fn total(&self) -> f64 {
-        2.0 * (libm::atan2(self.imaginary, self.real) + 2.0 * PI * f64::from(self.turns))
     }
 }

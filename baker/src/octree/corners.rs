@@ -59,7 +59,7 @@ impl Corners {
     /// level. Vertices on coarser leaves must be settled before.
     pub fn settle(&mut self, tree: &Tree, lattice: &Lattice, ids: &[VertexId], level: u8) {
         let settled: Vec<Vertex> = ids.par_iter().map(|&id| self.settled(tree, lattice, id, level)).collect();
-        self.position.resize(lattice.len(), UNSETTLED);
+        self.position.resize(lattice.sample_count(), UNSETTLED);
         for (&id, vertex) in ids.iter().zip(settled) {
             match self.position[id.index()] {
                 UNSETTLED => {

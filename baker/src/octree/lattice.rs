@@ -79,7 +79,7 @@ impl<'a> Lattice<'a> {
     }
 
     /// How many vertices have been evaluated.
-    pub fn len(&self) -> usize {
+    pub fn sample_count(&self) -> usize {
         self.samples.len()
     }
 }

@@ -62,7 +62,7 @@ impl Octree {
         }
 
         let lipschitz = leaves(&tree).map(|leaf| corners.patch(&tree, leaf).slope_bound()).reduce(|| 0.0, f64::max);
-        Self { tree, corners, continuity: delivered(settings), rounding, lipschitz, samples: lattice.len() }
+        Self { tree, corners, continuity: delivered(settings), rounding, lipschitz, samples: lattice.sample_count() }
     }
 
     /// Leaves of each level below the root grid.

@@ -1,4 +1,5 @@
 //! The only place that rounds: what each precision can store, as the reader will decode it.
 
+pub mod codes;
 pub mod rounding;
 pub mod sample;

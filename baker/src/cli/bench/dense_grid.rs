@@ -46,7 +46,7 @@ impl DenseGrid {
         size_of_val(self.distances.as_slice())
     }
 
-    /// Distance at a point of the box.
+    /// Distance at a point; beyond the box, by extrapolation of its nearest cell.
     #[inline]
     pub(super) fn distance(&self, point: [f32; 3]) -> f32 {
         let (corners, t) = self.cell(point);
@@ -55,7 +55,7 @@ impl DenseGrid {
         low + t.z * (high - low)
     }
 
-    /// Distance and the gradient of the interpolant at a point of the box.
+    /// Distance and the gradient of the interpolant at a point, as [`distance`](Self::distance).
     #[inline]
     pub(super) fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         let (c, t) = self.cell(point);
