@@ -52,6 +52,8 @@ struct OctreeReport {
     interpolant: &'static str,
     continuity: &'static str,
     leaves: u32,
+    /// Edge of the smallest leaves: walls thinner than this may be lost. Mesh units.
+    smallest_edge: f32,
     /// One entry a level, from the root cells down.
     leaves_by_level: Vec<u32>,
 }
@@ -137,6 +139,7 @@ impl InfoReport {
         line("octree", format!("{}, continuity {}", octree.interpolant, octree.continuity));
         line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
         line("leaves", self.leaves());
+        line("smallest", format!("{} (edge of the smallest leaves, mesh units)", octree.smallest_edge));
 
         for section in &self.sections {
             line("section", format!("{} {} bytes at {}", section.kind, section.bytes, section.offset));
@@ -171,9 +174,16 @@ impl OctreeReport {
                 _ => "unknown",
             },
             leaves: octree.leaf_count(),
+            smallest_edge: smallest_edge(octree, &leaves_by_level),
             leaves_by_level,
         }
     }
+}
+
+/// Edge of the leaves of the deepest level that has any.
+fn smallest_edge(octree: &Octree<'_>, leaves_by_level: &[u32]) -> f32 {
+    let deepest = leaves_by_level.iter().rposition(|&leaves| leaves > 0).unwrap_or(0);
+    octree.edge(deepest as u8)
 }
 
 fn hexadecimal(bytes: &[u8]) -> String {

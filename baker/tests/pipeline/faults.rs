@@ -1,6 +1,6 @@
 //! What may go wrong beside a bake: nothing is torn, nothing is lost, and the next run heals it.
 //!
-//! The kill loops are short here. The long form: `NEARFIELD_KILLS=200 cargo test -p nearfield-bake --test pipeline faults`
+//! The kill loops are short here. The long form, with full disks and read-only folders: `.ci/faults`
 
 use crate::support::{Bench, CUBE};
 use std::fs;
@@ -15,7 +15,7 @@ include = ['*.obj']
 ";
 
 fn kills() -> u32 {
-    std::env::var("NEARFIELD_KILLS").ok().and_then(|count| count.parse().ok()).unwrap_or(12)
+    std::env::var("NEARFIELD_KILLS").ok().and_then(|count| count.parse().ok()).unwrap_or(8)
 }
 
 fn start(bench: &Bench, arguments: &str) -> Child {
@@ -140,6 +140,28 @@ fn a_cache_that_cannot_be_used_costs_a_warning_and_no_field() {
     batch.succeeds();
     assert!(batch.stderr().contains("the cache did not take it"), "{}", batch.stderr());
     bench.run("info fields/cube.nfd").succeeds();
+}
+
+#[cfg(unix)]
+#[test]
+fn a_mesh_that_changes_while_it_is_read_fails() {
+    let bench = Bench::new();
+    bench.write("assets.toml", MANIFEST.replace("*.obj", "pipe.obj"));
+    bench.write("cube.obj", CUBE);
+
+    // A pipe is written while it is read, and its time says so; the pauses are longer than the tick of any clock.
+    let fill = "mkfifo pipe.obj; for turn in 1 2; do sleep 0.1; cat cube.obj > pipe.obj; done";
+    let mut writer = Command::new("sh").args(["-c", fill]).current_dir(bench.path(".")).spawn().expect("a shell");
+    while !bench.path("pipe.obj").exists() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let batch = bench.run("batch assets.toml");
+    writer.kill().ok();
+    writer.wait().expect("the shell ends");
+
+    assert_eq!(batch.output.status.code(), Some(3), "{}", batch.stderr());
+    assert!(batch.stderr().contains("changed while it was read"), "{}", batch.stderr());
+    assert!(!bench.path("fields/pipe.nfd").exists());
 }
 
 #[test]

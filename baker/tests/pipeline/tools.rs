@@ -54,10 +54,10 @@ fn the_published_schema_is_that_of_the_reports() {
     let names =
         |value: &serde_json::Value| -> Vec<String> { value.as_object().expect("an object").keys().cloned().collect() };
     assert_eq!(names(&report), names(&schema["properties"]));
-    let mut required: Vec<&str> =
-        schema["required"].as_array().expect("a list").iter().filter_map(|name| name.as_str()).collect();
-    required.sort_unstable();
-    assert_eq!(required, names(&report));
+    for required in schema["required"].as_array().expect("a list") {
+        let name = required.as_str().expect("a name");
+        assert!(report.get(name).is_some(), "no {name}");
+    }
 }
 
 #[test]
