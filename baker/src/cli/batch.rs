@@ -8,11 +8,13 @@ use super::{bake_report, files, print, tell, to_json};
 use clap::Args;
 use nearfield_bake::bake;
 use nearfield_bake::batch::{Asset, Cache, Change, Inputs, Manifest, Shard, examine};
+use nearfield_bake::output;
 use nearfield_bake::progress::Silent;
 use rayon::ThreadPool;
+use std::collections::BTreeSet;
 use std::fs;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -90,6 +92,11 @@ impl Batch {
         let jobs = self.read_jobs()?;
         if let Some(report) = &self.report {
             files::check_output(report, &self.manifest)?;
+        }
+
+        if !self.dry_run {
+            let folders: BTreeSet<&Path> = jobs.iter().filter_map(|job| job.asset.field.parent()).collect();
+            folders.into_iter().for_each(output::sweep);
         }
 
         let pool = self.threads.pool()?;
