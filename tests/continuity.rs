@@ -39,7 +39,7 @@ fn seams(interpolant: Interpolant, continuity: Continuity, precision: Precision)
         Settings { error, interpolant, continuity, precision, max_depth: 6, samples: 5_000, ..Settings::default() };
     let baked = bake(&shapes::read("bob_small.ply"), &settings, &Silent).expect("the mesh bakes");
     let field = Field::open(&baked.bytes).expect("a field");
-    let octree = field.octree();
+    let octree = field.octree().expect("an octree");
 
     let (mut equal, mut different) = (Jump::default(), Jump::default());
     let mut farthest: f32 = 0.0;

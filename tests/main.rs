@@ -4,12 +4,22 @@
 mod accuracy;
 /// Data flows one way through the baker, and the reader stands alone.
 mod architecture;
+/// The reader accepts what the specification says, answers it so, and refuses the rest by name.
+mod conformance;
 /// Leaves meet as the file says they do.
 mod continuity;
 /// The same mesh and settings give the same bytes on any number of threads.
 mod determinism;
 /// The distance engine agrees with every triangle and with formulas.
 mod distance;
+/// Grids answer as the papers say, whatever their order, reconstruction and precision.
+mod grids;
+/// The gradient is the derivative of the value, and the Lipschitz bound holds.
+mod properties;
+/// A reader in another language, written from the specification alone, agrees.
+mod python_reader;
+/// What fuzzers found stays fixed.
+mod regressions;
 /// What was baked is what is read.
 mod round_trip;
 /// Meshes that the other modules bake.
@@ -18,3 +28,5 @@ mod shapes;
 mod support;
 /// A file that is not whole is refused.
 mod truncation;
+/// Small files that the baker would never write.
+mod vectors;

@@ -27,7 +27,7 @@ fn the_header_says_what_was_asked_and_measured() {
     // The settings.
     assert_eq!(header.target_error, (2e-3 * mesh.bounds.diagonal()) as f32);
     assert_eq!(header.settings_hash, settings.hash());
-    assert_eq!(field.octree().interpolant(), ReadInterpolant::Tricubic);
+    assert_eq!(field.octree().expect("an octree").interpolant(), ReadInterpolant::Tricubic);
 
     // The box holds the mesh and its margin.
     let margin = 0.1 * mesh.bounds.size().max_element();
@@ -41,8 +41,14 @@ fn the_header_says_what_was_asked_and_measured() {
     assert_eq!(field.contract().sample_count, settings.samples);
 
     // The tree.
-    assert_eq!(field.octree().leaves().count(), field.octree().leaf_count() as usize);
-    assert_eq!(field.octree().leaf_count() as usize, baked.report.leaves_by_level.iter().sum::<usize>());
+    assert_eq!(
+        field.octree().expect("an octree").leaves().count(),
+        field.octree().expect("an octree").leaf_count() as usize
+    );
+    assert_eq!(
+        field.octree().expect("an octree").leaf_count() as usize,
+        baked.report.leaves_by_level.iter().sum::<usize>()
+    );
 }
 
 #[test]

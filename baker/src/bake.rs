@@ -1,13 +1,16 @@
 //! The pipeline, on one screen.
 
 use crate::distance::{SignMethod, SignedDistance};
-use crate::encode::{EncodeError, Provenance, encode, write_contract};
+use crate::encode::{EncodeError, Provenance, encode, encode_grid, write_contract};
+use crate::field_function::FieldFunction;
+use crate::geometry::Aabb;
+use crate::grid::{self, Grid};
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
 use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
-use crate::settings::{Settings, SettingsError};
+use crate::settings::{Layout, Settings, SettingsError};
 use crate::verify::{self, CONTRACT_SEED};
 use nearfield::Field;
 use nearfield::layout::{self, limit};
@@ -35,7 +38,7 @@ pub enum BakeError {
         limit::MAX_MAGNITUDE
     )]
     Extent {
-        /// Edge of a root cell, mesh units.
+        /// Edge of a root cell or least spacing of a grid, mesh units.
         edge: f64,
         /// Largest coordinate of the domain, mesh units.
         farthest: f64,
@@ -51,7 +54,7 @@ pub enum BakeError {
 /// Bakes a mesh: the same mesh and settings give the same bytes on any machine and any number of threads.
 pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) -> Result<Baked, BakeError> {
     settings.check()?;
-    check_extent(&Domain::around(&mesh.bounds, settings))?;
+    check_extent(&mesh.bounds, settings)?;
     let diagonal = mesh.bounds.diagonal();
     let target = settings.error.absolute(diagonal);
     let mut stopwatch = Stopwatch::start(progress);
@@ -61,12 +64,6 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     let sign_method = settings.sign.resolve(&mesh.topology);
     let distance = SignedDistance::new(mesh, sign_method);
 
-    // 2. Cells and samples.
-    stopwatch.stage("octree");
-    let octree = Octree::build(&distance, &mesh.bounds, settings, target, progress);
-
-    // 3. Bytes.
-    stopwatch.stage("encode");
     let provenance = Provenance {
         mesh_hash: mesh.hash(),
         settings_hash: settings.hash(),
@@ -77,7 +74,10 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
         diagonal,
         target_error: target,
     };
-    let mut bytes = encode(&octree, &provenance)?;
+
+    // 2. Samples, 3. bytes.
+    let Built { mut bytes, leaves_by_level, samples } =
+        build(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     // 4. The error contract, as the shipping reader answers.
     stopwatch.stage("verify");
@@ -85,20 +85,95 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
     write_contract(&mut bytes, &measurement.contract());
 
-    let report = Report {
-        sign_method,
-        leaves_by_level: octree.leaves_by_level(),
-        samples: octree.samples,
-        measurement,
-        stages: stopwatch.stop(),
-    };
+    let report =
+        Report { sign_method: Some(sign_method), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
 }
 
+/// Bakes any signed distance function, sampled in `bounds` and the margin of the settings around it, mesh units.
+///
+/// The header names no sign method and no mesh. Errors are relative to the diagonal of `bounds` and measured
+/// against the function itself: uniform in `bounds`, and near its zero set as far as projecting points of
+/// `bounds` along the gradient finds it. [`field_function::Closure`](crate::field_function::Closure) makes a
+/// function of a closure.
+///
+/// # Errors
+/// As [`bake`].
+pub fn bake_function(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Baked, BakeError> {
+    settings.check()?;
+    check_extent(bounds, settings)?;
+    let diagonal = bounds.diagonal();
+    let provenance = Provenance {
+        mesh_hash: [0; 16],
+        settings_hash: settings.hash(),
+        sign_method: layout::sign_method::NONE,
+        diagonal,
+        target_error: settings.error.absolute(diagonal),
+    };
+    let mut stopwatch = Stopwatch::start(progress);
+    let Built { mut bytes, leaves_by_level, samples } =
+        build(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
+
+    stopwatch.stage("verify");
+    let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
+    let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
+    write_contract(&mut bytes, &measurement.contract());
+    let report = Report { sign_method: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
+    Ok(Baked { bytes, report })
+}
+
+/// What the layouts have in common once they are bytes.
+struct Built {
+    bytes: Vec<u8>,
+    leaves_by_level: Vec<usize>,
+    samples: usize,
+}
+
+fn build(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    provenance: &Provenance,
+    stopwatch: &mut Stopwatch<'_>,
+    progress: &dyn Progress,
+) -> Result<Built, BakeError> {
+    match &settings.layout {
+        Layout::Octree => {
+            stopwatch.stage("octree");
+            let octree = Octree::build(function, bounds, settings, provenance.target_error, progress);
+            stopwatch.stage("encode");
+            let bytes = encode(&octree, provenance)?;
+            Ok(Built { bytes, leaves_by_level: octree.leaves_by_level(), samples: octree.samples })
+        }
+        Layout::Grid(grid_settings) => {
+            stopwatch.stage("grid");
+            let grid = Grid::build(function, bounds, settings, grid_settings, progress);
+            stopwatch.stage("encode");
+            let bytes = encode_grid(&grid, provenance)?;
+            Ok(Built { bytes, leaves_by_level: Vec::new(), samples: grid.samples })
+        }
+    }
+}
+
 /// The reader computes in `f32`: lengths must stay in its range.
-fn check_extent(domain: &Domain) -> Result<(), BakeError> {
-    let far_corner = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
-    let (edge, farthest) = (domain.root_edge, domain.origin.abs().max(far_corner.abs()).max_element());
+fn check_extent(bounds: &Aabb, settings: &Settings) -> Result<(), BakeError> {
+    let (edge, min, max) = match &settings.layout {
+        Layout::Octree => {
+            let domain = Domain::around(bounds, settings);
+            let max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
+            (domain.root_edge, domain.origin, max)
+        }
+        Layout::Grid(grid) => {
+            let domain = grid::Domain::around(bounds, settings.margin, grid.resolution);
+            (domain.spacing.min_element(), domain.bounds().min, domain.bounds().max)
+        }
+    };
+    let farthest = min.abs().max(max.abs()).max_element();
     let fits = edge >= f64::from(limit::MIN_ROOT_EDGE) && farthest <= f64::from(limit::MAX_MAGNITUDE);
     if fits { Ok(()) } else { Err(BakeError::Extent { edge, farthest }) }
 }

@@ -8,6 +8,7 @@ pub mod distance;
 pub mod encode;
 pub mod field_function;
 pub mod geometry;
+pub mod grid;
 pub mod import;
 pub mod mesh;
 pub mod morton;
@@ -18,7 +19,8 @@ pub mod progress;
 pub mod quantize;
 pub mod random;
 pub mod report;
+pub mod sampling;
 pub mod settings;
 pub mod verify;
 
-pub use bake::{BakeError, Baked, bake};
+pub use bake::{BakeError, Baked, bake, bake_function};

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 /// What a bake did.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// Where the sign came from.
-    pub sign_method: SignMethod,
-    /// Leaves of each level below the root grid.
+    /// Where the sign came from; `None` for a function.
+    pub sign_method: Option<SignMethod>,
+    /// Leaves of each level below the root grid; none for a grid.
     pub leaves_by_level: Vec<usize>,
     /// Points at which the exact distance was sampled to build the field.
     pub samples: usize,

@@ -1,6 +1,7 @@
 //! What the caller asks of a bake, filled once and passed along unchanged.
 
 use crate::distance::SignChoice;
+use nearfield::layout::grid::{MAX_ORDER, MIN_RESOLUTION};
 use nearfield::layout::octree::MAX_DEPTH;
 use thiserror::Error;
 
@@ -59,9 +60,96 @@ pub enum Precision {
     F32,
 }
 
+/// How a field is represented.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Layout {
+    /// Adaptive cells (Pujol and Chica 2023).
+    Octree,
+    /// A uniform grid (Bán and Valasek 2020; Valasek and Bán 2022).
+    Grid(GridSettings),
+}
+
+/// What is asked of a grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridSettings {
+    /// How many samples there are.
+    pub resolution: Resolution,
+    /// Order of the samples: the degree of their polynomials, 0 to 3.
+    pub order: u8,
+    /// How the reader answers between them.
+    pub reconstruction: Reconstruction,
+    /// How they are taken from the function.
+    pub sampling: Sampling,
+    /// What stored distances count from.
+    pub range: RangeScope,
+}
+
+/// How many samples a grid has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Resolution {
+    /// So many along the longest side, spaced alike along the others.
+    Longest(u16),
+    /// So many along x, y and z, each spaced to fill the box.
+    Each([u16; 3]),
+}
+
+/// How a grid answers between its samples; see [`nearfield::Reconstruction`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reconstruction {
+    /// The nearest sample's polynomial.
+    Nearest,
+    /// Polynomials weighted trilinearly.
+    Linear,
+    /// Reduced polynomials weighted trilinearly: exact one degree higher. Order 1 and above.
+    Half,
+    /// Polynomials weighted by smooth steps of their order. Order 1 and above.
+    Blend,
+    /// Hermite interpolation of the derivatives. Order 1 and 2.
+    Hermite,
+}
+
+/// How samples are taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sampling {
+    /// The exact distance and gradient. Order 0 and 1.
+    Taylor,
+    /// Least squares over a fine grid around each sample.
+    LeastSquares(FineGrid),
+}
+
+/// The neighbourhood of a least-squares sample (Bán and Valasek 2020, section 4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FineGrid {
+    /// Points along each axis, more than the order.
+    pub count: u8,
+    /// How far they reach from the sample, in spacings of the grid.
+    pub extent: f64,
+    /// Points at distance r, in extents, weigh 1 / (1 + falloff · r²).
+    pub falloff: f64,
+    /// Whether first-order gradients are made unit vectors.
+    pub normalized: bool,
+}
+
+impl Default for FineGrid {
+    fn default() -> Self {
+        Self { count: 3, extent: 0.1, falloff: 0.0, normalized: true }
+    }
+}
+
+/// What the distance codes of a grid count from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RangeScope {
+    /// One base for the whole file (Bán and Valasek 2020, section 5.3).
+    File,
+    /// A base for each brick of 4 x 4 x 4 samples.
+    Brick,
+}
+
 /// Everything that decides the bytes of a field, beside the mesh and the baker's version.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
+    /// Representation of the field.
+    pub layout: Layout,
     /// Target error of every leaf.
     pub error: Target,
     /// Interpolant of the leaves.
@@ -85,6 +173,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
+            layout: Layout::Octree,
             error: Target::Relative(5e-4),
             interpolant: Interpolant::Tricubic,
             continuity: Continuity::C1,
@@ -118,9 +207,58 @@ pub enum SettingsError {
     /// A trilinear field has no continuous gradient.
     #[error("trilinear leaves are c0 at best: ask for --continuity c0, or for tricubic leaves")]
     TrilinearC1,
+    /// The order or the reconstruction of a grid is out of range, or they do not go together.
+    #[error("order {0} has no such reconstruction: orders are 0 to 3, half and blend need 1 or more, hermite 1 or 2")]
+    Reconstruction(u8),
+    /// Exact derivatives end with the gradient.
+    #[error("exact derivatives end with the gradient: samples of order {0} are taken by least squares")]
+    Taylor(u8),
+    /// A grid needs two samples along an axis, a fit more points than its order.
+    #[error("a grid needs at least 2 samples along every axis")]
+    Resolution,
+    /// The neighbourhood of the fit is too small, or not one.
+    #[error("the fine grid needs {needed} to 16 points along an axis, a reach above 0 and a falloff of 0 or more")]
+    FineGrid {
+        /// Fewest points for the order.
+        needed: u8,
+    },
     /// Nothing would be measured.
     #[error("at least one sample is needed to measure the error")]
     Samples,
+}
+
+impl GridSettings {
+    /// Checks what the types cannot say.
+    fn check(&self) -> Result<(), SettingsError> {
+        let order = self.order;
+        let (least, most) = match self.reconstruction {
+            Reconstruction::Nearest | Reconstruction::Linear => (0, MAX_ORDER),
+            Reconstruction::Half | Reconstruction::Blend => (1, MAX_ORDER),
+            Reconstruction::Hermite => (1, 2),
+        };
+        if !(least..=most).contains(&order) {
+            return Err(SettingsError::Reconstruction(order));
+        }
+        let fewest = match self.resolution {
+            Resolution::Longest(samples) => samples,
+            Resolution::Each(samples) => samples.into_iter().fold(u16::MAX, u16::min),
+        };
+        if fewest < MIN_RESOLUTION {
+            return Err(SettingsError::Resolution);
+        }
+
+        match self.sampling {
+            Sampling::Taylor if order > 1 => Err(SettingsError::Taylor(order)),
+            Sampling::Taylor => Ok(()),
+            Sampling::LeastSquares(fine) => {
+                let needed = (order + 1).max(2);
+                let positive = fine.extent.is_finite() && fine.extent > 0.0;
+                let falloff = (0.0..=1e6).contains(&fine.falloff);
+                let enough = (needed..=16).contains(&fine.count);
+                if positive && falloff && enough { Ok(()) } else { Err(SettingsError::FineGrid { needed }) }
+            }
+        }
+    }
 }
 
 impl Settings {
@@ -138,6 +276,9 @@ impl Settings {
         }
         if self.interpolant == Interpolant::Trilinear && self.continuity == Continuity::C1 {
             return Err(SettingsError::TrilinearC1);
+        }
+        if let Layout::Grid(grid) = &self.layout {
+            grid.check()?;
         }
         if self.samples == 0 {
             return Err(SettingsError::Samples);

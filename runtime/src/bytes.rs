@@ -74,6 +74,12 @@ impl<'a> Words<'a> {
         self.0.get(at).map_or(0, |&word| u32::from_le_bytes(word))
     }
 
+    /// The first `N` words, each little-endian, if there are so many.
+    #[inline]
+    pub(crate) fn window<const N: usize>(self) -> Option<&'a [[u8; 4]; N]> {
+        self.0.first_chunk()
+    }
+
     /// `N` words from `at`; all zero unless all lie inside.
     #[inline]
     pub(crate) fn words<const N: usize>(self, at: usize) -> [u32; N] {

@@ -71,6 +71,20 @@ pub enum Error {
     BlockPrecision,
     /// The base distance of a block is out of range (§7.1).
     BlockBase,
+    /// The section of grid parameters has the wrong length (§11.1).
+    GridLength,
+    /// A grid has fewer than two samples along an axis, or its sections hold too few (§11.1, §11.2).
+    GridResolution,
+    /// The order or the reconstruction of a grid is unknown, or they do not go together (§11.1).
+    GridReconstruction,
+    /// The precision or the range of a grid is unknown, or they do not go together (§11.1).
+    GridPrecision,
+    /// The spacing or the distance quantum of a grid is out of range (§11.1).
+    GridScale,
+    /// The box is not the one that the samples of a grid span (§11.1).
+    GridBounds,
+    /// A section of a grid is longer than its samples or bricks (§11.2).
+    GridSamples,
     /// A gradient code is not one that a writer may write (§8).
     GradientCode,
     /// A floating-point component of a sample is not finite or too large (§8).
@@ -111,6 +125,13 @@ impl fmt::Display for Error {
             Self::BlockFull => "a full sample is not allowed where it is",
             Self::BlockPrecision => "the precision of a sample block is unknown",
             Self::BlockBase => "the base distance of a sample block is out of range",
+            Self::GridLength => "the grid parameters have the wrong length",
+            Self::GridResolution => "the grid has too few samples",
+            Self::GridReconstruction => "the order or the reconstruction of the grid is unknown, or they do not match",
+            Self::GridPrecision => "the precision or the range of the grid is unknown, or they do not match",
+            Self::GridScale => "the spacing or the distance quantum of the grid is out of range",
+            Self::GridBounds => "the box is not the one that the grid spans",
+            Self::GridSamples => "a section of the grid is longer than it should be",
             Self::GradientCode => "a gradient code is out of range",
             Self::SampleValue => "a sample is not finite or too large",
         })

@@ -1,18 +1,66 @@
 //! The door: bytes in, distances out.
 
 use crate::error::Error;
-use crate::header::{self, Aabb, ErrorContract, Header};
+use crate::grid::Grid;
+use crate::header::{self, Aabb, ErrorContract, Family, Header};
 use crate::octree::Octree;
 use crate::section::{self, Sections};
-use crate::{math, validate};
+use crate::{math, validate, validate_grid};
 
 /// A signed distance field in borrowed bytes.
 ///
 /// Copying a field copies a few numbers and two references, never the bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<'a> {
-    octree: Octree<'a>,
+    shape: Shape<'a>,
     bytes: &'a [u8],
+}
+
+/// What a field's family makes of its sections.
+#[derive(Clone, Copy, Debug)]
+enum Shape<'a> {
+    Grid(Grid<'a>),
+    Octree(Octree<'a>),
+}
+
+impl Shape<'_> {
+    #[inline]
+    fn contains(&self, point: [f32; 3]) -> bool {
+        match self {
+            Self::Grid(grid) => grid.contains(point),
+            Self::Octree(octree) => octree.contains(point),
+        }
+    }
+
+    /// Value at a point of the box.
+    #[inline]
+    fn value(&self, point: [f32; 3]) -> f32 {
+        match self {
+            Self::Grid(grid) => {
+                let (cell, local) = grid.locate(point);
+                grid.value(cell, local)
+            }
+            Self::Octree(octree) => {
+                let (leaf, local) = octree.locate(point);
+                octree.value(&leaf, local)
+            }
+        }
+    }
+
+    /// Value and gradient at a point of the box.
+    #[inline]
+    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        match self {
+            Self::Grid(grid) => {
+                let (cell, local) = grid.locate(point);
+                grid.evaluate(cell, local)
+            }
+            Self::Octree(octree) => {
+                let (leaf, local) = octree.locate(point);
+                octree.evaluate(&leaf, local)
+            }
+        }
+    }
 }
 
 impl<'a> Field<'a> {
@@ -23,21 +71,28 @@ impl<'a> Field<'a> {
     ///
     /// # Errors
     ///
-    /// The first rule of `SPEC.md` §3 to §5 that the bytes break.
+    /// The first rule of `SPEC.md` §3 to §5 and §11 that the bytes break.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         header::check(bytes)?;
-        let octree = Octree::open(bytes, header::bounds_of(bytes))?;
-        Ok(Self { octree, bytes })
+        let bounds = header::bounds_of(bytes);
+        let shape = match header::family_of(bytes)? {
+            Family::Grid => Shape::Grid(Grid::open(bytes, bounds)?),
+            Family::Octree => Shape::Octree(Octree::open(bytes, bounds)?),
+        };
+        Ok(Self { shape, bytes })
     }
 
     /// Checks every byte against the format, in time proportional to the file and without memory.
     ///
     /// # Errors
     ///
-    /// The first rule of `SPEC.md` §4 to §8 that the bytes break.
+    /// The first rule of `SPEC.md` §4 to §8 and §11 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
-        validate::octree(&self.octree)
+        match &self.shape {
+            Shape::Grid(grid) => validate_grid::grid(grid),
+            Shape::Octree(octree) => validate::octree(octree),
+        }
     }
 
     /// Signed distance from a point to the surface: mesh units, negative inside.
@@ -47,12 +102,7 @@ impl<'a> Field<'a> {
     /// [`f32::MAX`]. NaN if a coordinate is NaN, infinite if one is infinite.
     #[inline]
     pub fn distance(&self, point: [f32; 3]) -> f32 {
-        if self.octree.contains(point) {
-            let (leaf, local) = self.octree.locate(point);
-            self.octree.value(&leaf, local)
-        } else {
-            self.outside(point).0
-        }
+        if self.shape.contains(point) { self.shape.value(point) } else { self.outside(point).0 }
     }
 
     /// Signed distance, as [`distance`](Self::distance) to the bit, and gradient.
@@ -62,12 +112,7 @@ impl<'a> Field<'a> {
     /// in all components if a coordinate is NaN; infinite coordinates outweigh all others.
     #[inline]
     pub fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        if self.octree.contains(point) {
-            let (leaf, local) = self.octree.locate(point);
-            self.octree.evaluate(&leaf, local)
-        } else {
-            self.outside(point)
-        }
+        if self.shape.contains(point) { self.shape.evaluate(point) } else { self.outside(point) }
     }
 
     /// [`distance`](Self::distance) at each point. Stops at the shorter slice; returns how many
@@ -109,9 +154,20 @@ impl<'a> Field<'a> {
         section::sections(self.bytes)
     }
 
-    /// The octree, for those who walk its leaves.
-    pub fn octree(&self) -> Octree<'a> {
-        self.octree
+    /// The octree, for those who walk its leaves; `None` for another family.
+    pub fn octree(&self) -> Option<Octree<'a>> {
+        match self.shape {
+            Shape::Octree(octree) => Some(octree),
+            Shape::Grid(_) => None,
+        }
+    }
+
+    /// The grid, for those who read its samples; `None` for another family.
+    pub fn grid(&self) -> Option<Grid<'a>> {
+        match self.shape {
+            Shape::Grid(grid) => Some(grid),
+            Shape::Octree(_) => None,
+        }
     }
 
     /// The answer for a point that the box does not contain.
@@ -125,13 +181,12 @@ impl<'a> Field<'a> {
             return (f32::INFINITY, math::length_and_direction(toward).1);
         }
 
-        let Aabb { min, max } = self.octree.bounds();
+        let Aabb { min, max } = header::bounds_of(self.bytes);
         let nearest = [0, 1, 2].map(|axis: usize| point[axis].max(min[axis]).min(max[axis]));
         let away = [0, 1, 2].map(|axis: usize| point[axis] - nearest[axis]);
         let (distance_to_box, direction) = math::length_and_direction(away);
 
-        let (leaf, local) = self.octree.locate(nearest);
-        let distance = self.octree.value(&leaf, local) + distance_to_box;
+        let distance = self.shape.value(nearest) + distance_to_box;
         (distance.min(f32::MAX), direction)
     }
 }

@@ -19,6 +19,8 @@ pub struct Aabb {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Family {
+    /// A uniform lattice of samples.
+    Grid,
     /// Adaptive cells.
     Octree,
 }
@@ -160,8 +162,9 @@ fn check_quantities(bytes: &[u8]) -> Result<(), Error> {
     if consistent(uniform) && consistent(band) { Ok(()) } else { Err(Error::Contract) }
 }
 
-fn family_of(bytes: &[u8]) -> Result<Family, Error> {
+pub(crate) fn family_of(bytes: &[u8]) -> Result<Family, Error> {
     match u8_at(bytes, at::FAMILY) {
+        family::GRID => Ok(Family::Grid),
         family::OCTREE => Ok(Family::Octree),
         _ => Err(Error::Family),
     }

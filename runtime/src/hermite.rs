@@ -9,151 +9,125 @@
 /// A number for each corner of a cube, at `4 x + 2 y + z`.
 pub(crate) type Corners = [f32; 8];
 
-/// Weights of the values and slopes at the two ends of an axis.
-#[derive(Clone, Copy)]
-struct Weights {
-    value: [f32; 2],
-    slope: [f32; 2],
+/// The value and the derivatives at a point by local coordinates of the leaf, mesh units, `4 x + 2 y + z` counting
+/// derivations by each: `[f, fz, fy, fyz, fx, fxz, fxy, fxyz]`.
+pub(crate) type Jet = [f32; 8];
+
+/// The jets at the corners of a cube, at `4 x + 2 y + z`.
+pub(crate) type Jets = [Jet; 8];
+
+/// What is left of the jets of a cube's corners when x is given, at `2 y + z`: for each y the values and derivatives by z
+/// of both ends along z, then the same of the derivatives by y.
+struct Face {
+    value: [[f32; 4]; 2],
+    slope: [[f32; 4]; 2],
 }
 
-impl Weights {
-    /// The cubic Hermite basis at `t`.
-    #[inline]
-    fn value(t: f32) -> Self {
+/// What is left when x and y are given: value and derivative by z of both ends along z.
+type Edge = [f32; 4];
+
+/// For x, y, z and nothing: weights of the values at both ends of an axis, then of the slopes.
+type Weights = [[f32; 4]; 4];
+
+// The functions that follow stay apart and end in memory: so compilers find their four-wide form, which they lose where
+// they inline them.
+
+/// The cubic Hermite basis.
+#[inline(never)]
+fn basis(local: &[f32; 4], weights: &mut Weights) {
+    for (axis, &t) in local.iter().enumerate() {
         let rest = 1.0 - t;
         let end = t * t * (3.0 - 2.0 * t);
-        Self { value: [1.0 - end, end], slope: [t * (rest * rest), -(t * t) * rest] }
+        weights[0][axis] = 1.0 - end;
+        weights[1][axis] = end;
+        weights[2][axis] = t * (rest * rest);
+        weights[3][axis] = -(t * t) * rest;
     }
+}
 
-    /// Its derivative.
-    #[inline]
-    fn derivative(t: f32) -> Self {
+/// Its derivative.
+#[inline(never)]
+fn basis_derivative(local: &[f32; 4], weights: &mut Weights) {
+    for (axis, &t) in local.iter().enumerate() {
         let end = 6.0 * t * (1.0 - t);
-        let slope = [(1.0 - t) * (1.0 - 3.0 * t), t * (3.0 * t - 2.0)];
-        Self { value: [-end, end], slope }
+        weights[0][axis] = -end;
+        weights[1][axis] = end;
+        weights[2][axis] = (1.0 - t) * (1.0 - 3.0 * t);
+        weights[3][axis] = t * (3.0 * t - 2.0);
     }
+}
 
-    /// Weighted sum of the values and slopes at both ends.
-    #[inline]
-    fn blend<const N: usize>(&self, values: [[f32; N]; 2], slopes: [[f32; N]; 2]) -> [f32; N] {
-        let mut sum = mix(self.value, values);
-        for (sum, slope) in sum.iter_mut().zip(mix(self.slope, slopes)) {
-            *sum += slope;
+/// Weighted sum of the values and slopes at both ends of an axis.
+#[inline]
+fn blend(weights: &Weights, axis: usize, values: [f32; 2], slopes: [f32; 2]) -> f32 {
+    let [near, far, near_slope, far_slope] = weights;
+    (values[0] * near[axis] + values[1] * far[axis]) + (slopes[0] * near_slope[axis] + slopes[1] * far_slope[axis])
+}
+
+#[inline(never)]
+fn at_x(jets: &Jets, weights: &Weights, face: &mut Face) {
+    for y in 0..2 {
+        for z in 0..2 {
+            let (near, far) = (&jets[2 * y + z], &jets[4 + 2 * y + z]);
+            let at = |index: usize| blend(weights, 0, [near[index], far[index]], [near[4 + index], far[4 + index]]);
+            face.value[y][2 * z] = at(0);
+            face.value[y][2 * z + 1] = at(1);
+            face.slope[y][2 * z] = at(2);
+            face.slope[y][2 * z + 1] = at(3);
         }
-        sum
     }
+}
+
+#[inline(never)]
+fn at_y(Face { value, slope }: &Face, weights: &Weights, edge: &mut Edge) {
+    for (index, edge) in edge.iter_mut().enumerate() {
+        *edge = blend(weights, 1, [value[0][index], value[1][index]], [slope[0][index], slope[1][index]]);
+    }
+}
+
+#[inline]
+fn at_z(&[near, near_slope, far, far_slope]: &Edge, weights: &Weights) -> f32 {
+    blend(weights, 2, [near, far], [near_slope, far_slope])
+}
+
+impl Face {
+    const ZERO: Self = Self { value: [[0.0; 4]; 2], slope: [[0.0; 4]; 2] };
+}
+
+/// Value at local coordinates, mesh units.
+#[inline]
+pub(crate) fn tricubic(jets: &Jets, [x, y, z]: [f32; 3]) -> f32 {
+    let (mut weights, mut face, mut edge) = (Weights::default(), Face::ZERO, Edge::default());
+    basis(&[x, y, z, 0.0], &mut weights);
+    at_x(jets, &weights, &mut face);
+    at_y(&face, &weights, &mut edge);
+    at_z(&edge, &weights)
+}
+
+/// Value and derivatives by local coordinates, mesh units. The value has the bits of [`tricubic`].
+#[inline]
+pub(crate) fn tricubic_and_derivatives(jets: &Jets, [x, y, z]: [f32; 3]) -> (f32, [f32; 3]) {
+    let (mut weights, mut slopes) = (Weights::default(), Weights::default());
+    basis(&[x, y, z, 0.0], &mut weights);
+    basis_derivative(&[x, y, z, 0.0], &mut slopes);
+
+    let (mut face, mut face_by_x) = (Face::ZERO, Face::ZERO);
+    at_x(jets, &weights, &mut face);
+    at_x(jets, &slopes, &mut face_by_x);
+
+    let (mut edge, mut by_x, mut by_y) = (Edge::default(), Edge::default(), Edge::default());
+    at_y(&face, &weights, &mut edge);
+    at_y(&face_by_x, &weights, &mut by_x);
+    at_y(&face, &slopes, &mut by_y);
+
+    let derivatives = [at_z(&by_x, &weights), at_z(&by_y, &weights), at_z(&edge, &slopes)];
+    (at_z(&edge, &weights), derivatives)
 }
 
 /// Weighted sum of two ends.
 #[inline]
-fn mix<const N: usize>(weights: [f32; 2], ends: [[f32; N]; 2]) -> [f32; N] {
-    let [mut sum, other] = ends;
-    for (sum, other) in sum.iter_mut().zip(other) {
-        *sum = *sum * weights[0] + other * weights[1];
-    }
-    sum
-}
-
-/// The ends along x of a cube, each a face along y and z.
-#[inline]
-fn along_x([a, b, c, d, e, f, g, h]: Corners) -> [[f32; 4]; 2] {
-    [[a, b, c, d], [e, f, g, h]]
-}
-
-/// The ends along y of a face, each an edge along z.
-#[inline]
-fn along_y([a, b, c, d]: [f32; 4]) -> [[f32; 2]; 2] {
-    [[a, b], [c, d]]
-}
-
-/// The ends along z of an edge.
-#[inline]
-fn along_z([a, b]: [f32; 2]) -> [[f32; 1]; 2] {
-    [[a], [b]]
-}
-
-/// Distances and first derivatives at the corners of a leaf. All derivatives are by local
-/// coordinates, in mesh units.
-pub(crate) struct Tricubic {
-    pub(crate) distance: Corners,
-    /// By x, y, z.
-    pub(crate) gradient: [Corners; 3],
-}
-
-/// Mixed derivatives at the corners of a leaf: by xy, xz, yz, xyz.
-pub(crate) type Mixed = [Corners; 4];
-
-/// A [`Tricubic`] with x given: distances and derivatives by y, z and yz at `2 y + z`.
-#[derive(Clone, Copy)]
-struct Face {
-    distance: [f32; 4],
-    y: [f32; 4],
-    z: [f32; 4],
-    yz: [f32; 4],
-}
-
-/// A [`Face`] with y given.
-#[derive(Clone, Copy)]
-struct Edge {
-    distance: [f32; 2],
-    z: [f32; 2],
-}
-
-impl Tricubic {
-    /// Value at local coordinates, mesh units; `mixed` is `None` if all mixed derivatives are zero.
-    #[inline]
-    pub(crate) fn value(&self, mixed: Option<&Mixed>, [x, y, z]: [f32; 3]) -> f32 {
-        let face = self.at_x(mixed, &Weights::value(x));
-        face.at_y(&Weights::value(y)).at_z(&Weights::value(z))
-    }
-
-    /// Value and derivatives by local coordinates, mesh units. The value has the bits of
-    /// [`value`](Self::value).
-    #[inline]
-    pub(crate) fn value_and_derivatives(&self, mixed: Option<&Mixed>, [x, y, z]: [f32; 3]) -> (f32, [f32; 3]) {
-        let (y_weights, z_weights) = (Weights::value(y), Weights::value(z));
-        let face = self.at_x(mixed, &Weights::value(x));
-        let edge = face.at_y(&y_weights);
-
-        let by_x = self.at_x(mixed, &Weights::derivative(x)).at_y(&y_weights).at_z(&z_weights);
-        let by_y = face.at_y(&Weights::derivative(y)).at_z(&z_weights);
-        let by_z = edge.at_z(&Weights::derivative(z));
-        (edge.at_z(&z_weights), [by_x, by_y, by_z])
-    }
-
-    #[inline]
-    fn at_x(&self, mixed: Option<&Mixed>, weights: &Weights) -> Face {
-        let [by_x, by_y, by_z] = self.gradient.map(along_x);
-        let distance = weights.blend(along_x(self.distance), by_x);
-        let mut y = mix(weights.value, by_y);
-        let mut z = mix(weights.value, by_z);
-        let mut yz = [0.0; 4];
-        if let Some(mixed) = mixed {
-            let [xy, xz, by_yz, xyz] = mixed.map(along_x);
-            y = weights.blend(by_y, xy);
-            z = weights.blend(by_z, xz);
-            yz = weights.blend(by_yz, xyz);
-        }
-        Face { distance, y, z, yz }
-    }
-}
-
-impl Face {
-    #[inline]
-    fn at_y(&self, weights: &Weights) -> Edge {
-        Edge {
-            distance: weights.blend(along_y(self.distance), along_y(self.y)),
-            z: weights.blend(along_y(self.z), along_y(self.yz)),
-        }
-    }
-}
-
-impl Edge {
-    #[inline]
-    fn at_z(&self, weights: &Weights) -> f32 {
-        let [value] = weights.blend(along_z(self.distance), along_z(self.z));
-        value
-    }
+fn mix(weights: [f32; 2], ends: [f32; 2]) -> f32 {
+    ends[0] * weights[0] + ends[1] * weights[1]
 }
 
 /// Trilinear value at local coordinates, mesh units.
@@ -178,8 +152,9 @@ fn linear(t: f32) -> [f32; 2] {
     [1.0 - t, t]
 }
 
+/// Weighted sum of the corners: the product of the weights along each axis.
 #[inline]
-fn trilinear_sum(distance: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
-    let [value] = mix(z, along_z(mix(y, along_y(mix(x, along_x(*distance))))));
-    value
+pub(crate) fn trilinear_sum(&[a, b, c, d, e, f, g, h]: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
+    let [a, b, c, d] = [mix(x, [a, e]), mix(x, [b, f]), mix(x, [c, g]), mix(x, [d, h])];
+    mix(z, [mix(y, [a, c]), mix(y, [b, d])])
 }

@@ -5,14 +5,8 @@
 //! corners on it carry its derivatives, so the cubic between those corners is the same (Pujol and Chica
 //! 2023, appendix): the vertex needs no bytes.
 
-use crate::hermite::Corners;
-
-/// The derivatives at eight corners by local coordinates of the leaf, mesh units. Bit 0 of the outer index
-/// counts x, bit 1 y, bit 2 z: `[f, fx, fy, fxy, fz, fxz, fyz, fxyz]`.
-pub(crate) type Jets = [Corners; 8];
-
-/// Lattice bits of the parent's corners, in the order of [`Corners`].
-pub(crate) const PARENT_CORNERS: [u32; 8] = [0, 18, 6, 24, 2, 20, 8, 26];
+use crate::hermite::{Corners, Jet, Jets};
+use core::array::from_fn;
 
 /// Whether a block that leaves a lattice bit out implies it: the parent's corners around it are stored and,
 /// for the middle of a face, the middles of that face's edges are not. The parent's own corners and the
@@ -33,46 +27,47 @@ pub(crate) fn is_implied(bit: u32, present: u32) -> bool {
 }
 
 /// Replaces, at each implied corner of an octant, the jet of the parent's corner on the same side by the
-/// jet that the parent's cubic has there. `implied` has a bit for each of [`Corners`].
+/// jet that the parent's cubic has there. `implied` has a bit for each corner, `4 x + 2 y + z`.
 ///
 /// An axis at a time, the corners away from the parent's own corner move to the middle. A corner in the
 /// middle of a face is reached in two steps, through those in the middle of its edges, which are implied too.
 pub(crate) fn settle(jets: &mut Jets, implied: u32, octant: u32) {
-    settle_along::<1>(jets, implied, octant & 1);
+    settle_along::<4>(jets, implied, octant & 1);
     settle_along::<2>(jets, implied, octant >> 1 & 1);
-    settle_along::<4>(jets, implied, octant >> 2 & 1);
+    settle_along::<1>(jets, implied, octant >> 2 & 1);
 }
 
 /// The same for the distances of a trilinear leaf.
-pub(crate) fn settle_distances(distances: &Corners, implied: u32, octant: u32) -> Corners {
-    let mut jets = [*distances, [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]];
+pub(crate) fn settle_distances(distances: Corners, implied: u32, octant: u32) -> Corners {
+    let mut jets = distances.map(|distance| [distance, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     settle(&mut jets, implied, octant);
-    jets[0]
+    jets.map(|[distance, ..]| distance)
 }
 
-/// One axis, by its index among the derivatives.
+/// One axis, by its bit in the indices of corners and derivatives.
 #[inline]
 fn settle_along<const AXIS: usize>(jets: &mut Jets, implied: u32, far_half: u32) {
-    // Corners are numbered z first, derivatives x first.
-    let step = 4 / AXIS;
     // The parent's own corner is near in the near half and far in the far half; its opposite moves.
-    let moves = [0xF0_u32, 0xCC, 0xAA][AXIS / 2] ^ far_half.wrapping_neg();
+    let moves = [0xAA_u32, 0xCC, 0xF0][AXIS / 2] ^ far_half.wrapping_neg();
     let mut moving = implied & moves & 0xFF;
     while moving != 0 {
         // The masks show the compiler that no index can fail.
         let corner = moving.trailing_zeros() as usize & 7;
-        let (near, far) = (corner & !step, corner | step);
         moving &= moving - 1;
-        for value in (0..8).filter(|index| index & AXIS == 0) {
-            let slope = (value | AXIS) & 7;
-            let (rise, sum) = (jets[value][far] - jets[value][near], jets[value][near] + jets[value][far]);
-            let (near_slope, far_slope) = (jets[slope][near], jets[slope][far]);
-
-            // The middle of a cubic that spans two leaves.
-            jets[value][corner] = 0.5 * sum + 0.25 * (near_slope - far_slope);
-            jets[slope][corner] = 0.75 * rise - 0.25 * (near_slope + far_slope);
-        }
+        jets[corner] = middle::<AXIS>(&jets[corner & !AXIS], &jets[corner | AXIS]);
     }
+}
+
+/// The jet in the middle of a cubic that spans two leaves, from those at its ends.
+#[inline]
+fn middle<const AXIS: usize>(near: &Jet, far: &Jet) -> Jet {
+    let is_slope = |index: usize| index & AXIS != 0;
+    let sum: Jet = from_fn(|index| near[index] + far[index]);
+    let difference: Jet = from_fn(|index| near[index] - far[index]);
+    from_fn(|index| {
+        let [by_sum, by_difference] = if is_slope(index) { [-0.25, -0.75] } else { [0.5, 0.25] };
+        by_sum * sum[index] + by_difference * difference[index ^ AXIS]
+    })
 }
 
 #[cfg(test)]
@@ -88,7 +83,7 @@ mod tests {
 
     #[test]
     fn middles_are_implied_by_the_corners_around_them() {
-        let corners = PARENT_CORNERS.iter().fold(0, |mask, bit| mask | 1 << bit);
+        let corners = [0, 2, 6, 8, 18, 20, 24, 26].iter().fold(0, |mask, bit| mask | 1 << bit);
         for bit in (0..27).filter(|&bit| corners >> bit & 1 == 0 && bit != 13) {
             assert!(is_implied(bit, corners), "bit {bit}");
         }
@@ -116,19 +111,16 @@ mod tests {
                 let slope = |t: f32| 3.0 * t * t - 4.0 * t;
                 let (f, g, h) = (along(x), along(y) + 1.0, along(z) - 2.0);
                 let (fx, gy, hz) = (slope(x), slope(y), slope(z));
-                let at = [
+                jets[corner as usize] = [
                     f * g * h,
-                    fx * g * h,
-                    f * gy * h,
-                    fx * gy * h,
                     f * g * hz,
-                    fx * g * hz,
+                    f * gy * h,
                     f * gy * hz,
+                    fx * g * h,
+                    fx * g * hz,
+                    fx * gy * h,
                     fx * gy * hz,
                 ];
-                for (index, derivative) in at.into_iter().enumerate() {
-                    jets[index][corner as usize] = derivative;
-                }
             }
             jets
         };

@@ -113,6 +113,8 @@ pub mod limit {
 
 /// Field families (`header::FAMILY`).
 pub mod family {
+    /// A uniform lattice of samples (Bán and Valasek 2020; Valasek and Bán 2022).
+    pub const GRID: u8 = 1;
     /// Adaptive cells (Pujol and Chica 2023).
     pub const OCTREE: u8 = 2;
 }
@@ -133,8 +135,12 @@ pub mod section {
     pub const OCTREE: u32 = u32::from_le_bytes(*b"OCTR");
     /// Node words of an octree.
     pub const NODES: u32 = u32::from_le_bytes(*b"NODE");
-    /// Sample blocks of an octree.
+    /// Sample blocks of an octree, or samples of a grid.
     pub const SAMPLES: u32 = u32::from_le_bytes(*b"SAMP");
+    /// Parameters of a grid.
+    pub const GRID: u32 = u32::from_le_bytes(*b"GRID");
+    /// Base distances of the bricks of a grid.
+    pub const BASES: u32 = u32::from_le_bytes(*b"BASE");
 }
 
 /// Byte ranges within the section of octree parameters.
@@ -249,6 +255,63 @@ pub mod packed_sample {
     pub const DISTANCE_SHIFT: u32 = 20;
 }
 
+/// Byte ranges within the section of grid parameters.
+pub mod grid {
+    use super::Range;
+
+    /// Three `u16`, samples along x, y, z.
+    pub const RESOLUTION: Range<usize> = 0..6;
+    /// `u8`, order of the samples, 0 to [`MAX_ORDER`].
+    pub const ORDER: usize = 6;
+    /// `u8`, one of [`reconstruction`](super::reconstruction).
+    pub const RECONSTRUCTION: usize = 7;
+    /// `u8`, one of [`precision`](super::precision).
+    pub const PRECISION: usize = 8;
+    /// `u8`, one of [`range`](super::range).
+    pub const RANGE: usize = 9;
+    /// Two bytes, reserved.
+    pub const RESERVED: Range<usize> = 10..12;
+    /// Three `f32`, distance between samples along x, y, z, mesh units.
+    pub const SPACING: Range<usize> = 12..24;
+    /// `f32`, distance quantum, mesh units.
+    pub const QUANTUM: Range<usize> = 24..28;
+
+    /// Bytes of the section.
+    pub const LENGTH: usize = QUANTUM.end;
+
+    /// Highest order of a sample.
+    pub const MAX_ORDER: u8 = 3;
+    /// Fewest samples along an axis.
+    pub const MIN_RESOLUTION: u16 = 2;
+    /// Samples along an edge of a brick.
+    pub const BRICK_EDGE: u32 = 4;
+    /// Largest ratio of the spacings along two axes.
+    pub const MAX_ANISOTROPY: f32 = 1024.0;
+}
+
+/// How a grid answers between its samples (`grid::RECONSTRUCTION`).
+pub mod reconstruction {
+    /// The polynomial of the nearest sample.
+    pub const NEAREST: u8 = 0;
+    /// The polynomials of eight samples, weighted trilinearly.
+    pub const LINEAR: u8 = 1;
+    /// The same of reduced polynomials, which makes it exact one degree higher.
+    pub const HALF: u8 = 2;
+    /// The polynomials of eight samples, weighted by smooth steps of their order.
+    pub const BLEND: u8 = 3;
+    /// Tensor-product Hermite interpolation of the derivatives.
+    pub const HERMITE: u8 = 4;
+}
+
+/// What the distance codes of a grid count from (`grid::RANGE`).
+pub mod range {
+    /// One base for the file.
+    pub const FILE: u8 = 0;
+    /// A base for each brick.
+    pub const BRICK: u8 = 1;
+}
+
+const _: () = assert!(grid::LENGTH.is_multiple_of(4), "sections are whole words");
 const _: () = assert!(header::LENGTH <= 128, "design: a header of at most 128 bytes");
 const _: () = assert!(header::LENGTH.is_multiple_of(4), "sections start on words");
 const _: () = assert!(octree::LENGTH.is_multiple_of(4), "sections are whole words");

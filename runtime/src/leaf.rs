@@ -1,8 +1,8 @@
 //! From a leaf's sample block to its value and gradient.
 
 use crate::bytes::Words;
-use crate::hermite::{self, Corners, Mixed, Tricubic};
-use crate::implied::{self, Jets, PARENT_CORNERS};
+use crate::hermite::{self, Corners, Jet, Jets};
+use crate::implied;
 use crate::layout::{block, packed_sample, precision};
 use crate::octree::{Interpolant, Leaf, Octree};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
@@ -37,27 +37,38 @@ impl<'a> Block<'a> {
 
 /// Lattice bit of the least corner of an octant.
 #[inline]
-pub(crate) fn lattice_bit(octant: u32) -> u32 {
+pub(crate) const fn lattice_bit(octant: u32) -> u32 {
     (octant & 1) + 3 * (octant >> 1 & 1) + 9 * (octant >> 2 & 1)
 }
 
 /// Lattice bits of the corners of octant 0.
 pub(crate) const CORNER_MASK: u32 = 0b011_011 | 0b011_011 << 9;
 
-/// How many bits of `mask` precede each corner of the octant whose least corner is bit `first`.
-///
-/// Two population counts serve all eight corners: a row of the lattice is 3 bits, a layer 9.
-#[inline]
-fn ranks(mask: u32, first: u32) -> [usize; 8] {
-    let rest = mask >> first;
-    let below = (mask & ((1 << first) - 1)).count_ones();
-    let layer = (rest & 0x1FF).count_ones();
-    let bit = |step: u32| rest >> step & 1;
-    let row = |step: u32| bit(step) + bit(step + 1) + bit(step + 2);
+/// Lattice bits of the corners of each octant, at `4 x + 2 y + z`, as masks.
+const OCTANT_CORNERS: [[u32; 8]; 8] = {
+    let mut corners = [[0; 8]; 8];
+    let mut octant = 0;
+    while octant < 8 {
+        let mut corner = 0;
+        while corner < 8 {
+            let step = [0, 9, 3, 12, 1, 10, 4, 13][corner];
+            corners[octant][corner] = 1 << (lattice_bit(octant as u32) + step);
+            corner += 1;
+        }
+        octant += 1;
+    }
+    corners
+};
 
-    let least = [below, below + layer, below + row(0), below + layer + row(9)];
-    let [a, b, c, d] = least;
-    [a, b, c, d, a + bit(0), b + bit(9), c + bit(3), d + bit(12)].map(|rank| rank as usize)
+/// Lattice bits of the corners of the eight siblings' parent, at `4 x + 2 y + z`, as masks.
+const PARENT_CORNERS: [u32; 8] = [1 << 0, 1 << 18, 1 << 6, 1 << 24, 1 << 2, 1 << 20, 1 << 8, 1 << 26];
+
+/// How many bits of `mask` precede each of `bits`, which are masks of one bit.
+#[inline(never)]
+fn ranks(mask: u32, bits: &[u32; 8], ranks: &mut [u32; 8]) {
+    for (rank, bit) in ranks.iter_mut().zip(bits) {
+        *rank = (mask & (bit - 1)).count_ones();
+    }
 }
 
 impl Octree<'_> {
@@ -65,7 +76,11 @@ impl Octree<'_> {
     #[inline]
     pub(crate) fn value(&self, leaf: &Leaf, local: [f32; 3]) -> f32 {
         match self.interpolant() {
-            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| corners.value(mixed, local)),
+            Interpolant::Tricubic => {
+                let mut jets = Jets::default();
+                self.read_jets(leaf, &mut jets);
+                hermite::tricubic(&jets, local)
+            }
             Interpolant::Trilinear => hermite::trilinear(&self.distances(leaf), local),
         }
     }
@@ -77,28 +92,36 @@ impl Octree<'_> {
     #[inline]
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
-            Interpolant::Tricubic => self.tricubic(leaf, |corners, mixed| corners.value_and_derivatives(mixed, local)),
+            Interpolant::Tricubic => {
+                let mut jets = Jets::default();
+                self.read_jets(leaf, &mut jets);
+                hermite::tricubic_and_derivatives(&jets, local)
+            }
             Interpolant::Trilinear => hermite::trilinear_and_derivatives(&self.distances(leaf), local),
         };
         let per_edge = 1.0 / self.edge(leaf.level);
         (value, derivatives.map(|derivative| derivative * per_edge))
     }
 
-    /// Evaluates the corners of a tricubic leaf.
-    ///
-    /// A leaf with nothing but packed first-order samples is the common one: evaluating in a branch of its
-    /// own lets the compiler leave the mixed derivatives out of it.
-    #[inline]
-    fn tricubic<T>(&self, leaf: &Leaf, evaluate: impl Fn(&Tricubic, Option<&Mixed>) -> T) -> T {
+    /// Writes the jets at the corners of a tricubic leaf.
+    #[inline(never)]
+    fn read_jets(&self, leaf: &Leaf, jets: &mut Jets) {
         let block = Block::at(self.samples, leaf.block);
         let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
-        let first = lattice_bit(leaf.octant);
-        let corners = CORNER_MASK << first;
-        if block.precision == precision::PACKED32 && block.full == 0 && block.present & corners == corners {
-            return evaluate(&block.packed(&ranks(block.present, first), scale), None);
+        let sources = block.sources(leaf.octant);
+        let mut places = [0; 8];
+        ranks(block.present, &sources, &mut places);
+        if block.full == 0 && block.precision == precision::PACKED32 {
+            block.packed(&places, scale, jets);
+        } else {
+            block.place_wide(&sources, &mut places);
+            block.packed(&places, scale, jets);
+            block.replace_wide(jets, &sources, &places, scale);
         }
-        let (corners, mixed) = block.any_corners(leaf, scale);
-        evaluate(&corners, Some(&mixed))
+        let implied = block.implied(leaf.octant);
+        if implied != 0 {
+            implied::settle(jets, implied, leaf.octant);
+        }
     }
 
     /// The distances at the corners of a trilinear leaf.
@@ -106,27 +129,12 @@ impl Octree<'_> {
     fn distances(&self, leaf: &Leaf) -> Corners {
         let block = Block::at(self.samples, leaf.block);
         let quantum = self.quantum(leaf.level);
-        let first = lattice_bit(leaf.octant);
-        if block.present & (CORNER_MASK << first) == CORNER_MASK << first {
-            return ranks(block.present, first).map(|rank| block.trilinear_distance(rank, quantum));
-        }
-        let implied = block.implied(first);
-        let ranks = choose(implied, parent_ranks(block.present), ranks(block.present, first));
-        let distances = ranks.map(|rank| block.trilinear_distance(rank, quantum));
-        implied::settle_distances(&distances, implied, leaf.octant)
+        let implied = block.implied(leaf.octant);
+        let mut places = [0; 8];
+        ranks(block.present, &block.sources(leaf.octant), &mut places);
+        let distances = places.map(|place| block.trilinear_distance(place, quantum));
+        if implied == 0 { distances } else { implied::settle_distances(distances, implied, leaf.octant) }
     }
-}
-
-/// `parent` for the implied corners, `own` for the others.
-#[inline]
-fn choose<T: Copy>(implied: u32, parent: [T; 8], own: [T; 8]) -> [T; 8] {
-    let mut chosen = own;
-    for (corner, (chosen, parent)) in chosen.iter_mut().zip(parent).enumerate() {
-        if implied >> corner & 1 == 1 {
-            *chosen = parent;
-        }
-    }
-    chosen
 }
 
 /// A 16-bit distance code counts sixteenths of a quantum.
@@ -141,72 +149,70 @@ struct Scale {
 }
 
 impl Block<'_> {
-    /// Samples of one word each: one plain loop, which compilers turn into vectors.
+    /// The sample that each corner of an octant comes from, a mask of one lattice bit: its own, or that of the parent's
+    /// corner on the same side where its own is implied.
     #[inline]
-    fn packed(&self, places: &[usize; 8], scale: Scale) -> Tricubic {
-        let words = places.map(|place| self.data.word(place));
-        let mut distance = Corners::default();
-        let mut gradient = [Corners::default(); 3];
-        for (corner, &word) in words.iter().enumerate() {
-            let code = word >> packed_sample::DISTANCE_SHIFT;
-            distance[corner] = decode_distance(self.base, code, scale.quantum);
-            let [x, y, z] = decode_gradient(word);
-            gradient[0][corner] = x * scale.edge;
-            gradient[1][corner] = y * scale.edge;
-            gradient[2][corner] = z * scale.edge;
+    fn sources(&self, octant: u32) -> [u32; 8] {
+        let mut sources = [0; 8];
+        let corners = &OCTANT_CORNERS[octant as usize & 7];
+        for corner in 0..8 {
+            let own = corners[corner];
+            sources[corner] = if self.present & own == 0 { PARENT_CORNERS[corner] } else { own };
         }
-        Tricubic { distance, gradient }
+        sources
     }
 
-    /// Corners of any kind, stored or implied.
-    fn any_corners(&self, leaf: &Leaf, scale: Scale) -> (Tricubic, Mixed) {
-        // What is not stored is implied by the parent's corner on the same side.
-        let first = lattice_bit(leaf.octant);
-        let implied = self.implied(first);
+    /// From ranks to places where samples differ in size from a word.
+    fn place_wide(&self, sources: &[u32; 8], places: &mut [u32; 8]) {
         let (stride, full_stride) = strides(self.precision);
-        let present = choose(implied, parent_ranks(self.present), ranks(self.present, first));
-        let mut places = present.map(|rank| rank * stride);
-        if self.full != 0 {
-            let full = choose(implied, parent_ranks(self.full), ranks(self.full, first));
-            for (place, rank) in places.iter_mut().zip(full) {
-                *place += rank * (full_stride - stride);
-            }
+        let mut full_ranks = [0; 8];
+        ranks(self.full, sources, &mut full_ranks);
+        for (place, full_rank) in places.iter_mut().zip(full_ranks) {
+            *place = *place * stride + full_rank * (full_stride - stride);
         }
+    }
 
-        let Tricubic { distance, gradient: [x, y, z] } = self.packed(&places, scale);
-        let mut jets = [distance, x, y, [0.0; 8], z, [0.0; 8], [0.0; 8], [0.0; 8]];
-        if self.full != 0 || self.precision != precision::PACKED32 {
-            let bits = choose(implied, PARENT_CORNERS, corner_bits(first));
-            self.replace_wide(&mut jets, &bits, &places, scale);
+    /// Samples of one word each: one plain loop, which compilers turn into vectors.
+    #[inline(never)]
+    fn packed(&self, places: &[u32; 8], scale: Scale, jets: &mut Jets) {
+        // One check for all where it is known that no sample is farther: packed blocks have at most 27.
+        let words = match self.data.window::<32>() {
+            Some(window) if self.full == 0 => places.map(|place| u32::from_le_bytes(window[place as usize & 31])),
+            _ => places.map(|place| self.data.word(place as usize)),
+        };
+        for (corner, &word) in words.iter().enumerate() {
+            let code = word >> packed_sample::DISTANCE_SHIFT;
+            let [x, y, z] = decode_gradient(word);
+            let distance = decode_distance(self.base, code, scale.quantum);
+            jets[corner] = [distance, z * scale.edge, y * scale.edge, 0.0, x * scale.edge, 0.0, 0.0, 0.0];
         }
-        implied::settle(&mut jets, implied, leaf.octant);
-
-        let [distance, x, y, xy, z, xz, yz, xyz] = jets;
-        (Tricubic { distance, gradient: [x, y, z] }, [xy, xz, yz, xyz])
     }
 
     /// Replaces the samples that are not packed.
-    fn replace_wide(&self, jets: &mut Jets, bits: &[u32; 8], places: &[usize; 8], scale: Scale) {
-        for (corner, (&bit, &place)) in bits.iter().zip(places).enumerate() {
-            let full = self.full >> bit & 1 == 1;
+    #[cold]
+    #[inline(never)]
+    fn replace_wide(&self, jets: &mut Jets, bits: &[u32; 8], places: &[u32; 8], scale: Scale) {
+        for (corner, (bit, &place)) in bits.iter().zip(places).enumerate() {
+            let full = self.full & bit != 0;
             if full || self.precision != precision::PACKED32 {
-                for (derivatives, derivative) in jets.iter_mut().zip(self.wide_jet(place, full, scale)) {
-                    // The mask shows the compiler that no index can fail.
-                    derivatives[corner & 7] = derivative;
-                }
+                // The mask shows the compiler that no index can fail.
+                jets[corner & 7] = self.wide_jet(place as usize, full, scale);
             }
         }
     }
 
-    /// Which corners of the octant whose least corner is bit `first` are not stored: a bit for each of [`Corners`].
+    /// Which corners of an octant are not stored: a bit for each, `4 x + 2 y + z`.
     #[inline]
-    fn implied(&self, first: u32) -> u32 {
-        let absent = !self.present >> first;
-        [0, 9, 3, 12, 1, 10, 4, 13].into_iter().rev().fold(0, |mask, step| mask << 1 | absent >> step & 1)
+    fn implied(&self, octant: u32) -> u32 {
+        let absent = !self.present >> lattice_bit(octant);
+        if absent & CORNER_MASK == 0 {
+            return 0;
+        }
+        [0, 9, 3, 12, 1, 10, 4, 13].into_iter().rev().fold(0, |mask, bit| mask << 1 | absent >> bit & 1)
     }
 
     /// A sample of half floats or floats.
-    fn wide_jet(&self, place: usize, full: bool, scale: Scale) -> [f32; 8] {
+    fn wide_jet(&self, place: usize, full: bool, scale: Scale) -> Jet {
         let (distance, gradient) = if self.precision == precision::F32 {
             let [distance, x, y, z] = self.data.words(place).map(decode_single);
             (distance, [x, y, z])
@@ -227,36 +233,22 @@ impl Block<'_> {
 
         let [x, y, z] = gradient.map(|derivative| derivative * scale.edge);
         let [xy, xz, yz, xyz] = mixed.map(|derivative| derivative * scale.edge);
-        [distance, x, y, xy, z, xz, yz, xyz]
+        [distance, z, y, yz, x, xz, xy, xyz]
     }
 
     /// The distance of a trilinear sample.
     #[inline]
-    fn trilinear_distance(&self, rank: usize, quantum: f32) -> f32 {
+    fn trilinear_distance(&self, rank: u32, quantum: f32) -> f32 {
         if self.precision == precision::F32 {
-            return decode_single(self.data.word(rank));
+            return decode_single(self.data.word(rank as usize));
         }
-        let code = self.data.word(rank / 2) >> (16 * (rank & 1)) & 0xFFFF;
+        let code = self.data.word(rank as usize / 2) >> (16 * (rank & 1)) & 0xFFFF;
         decode_distance(self.base.wrapping_mul(16), code, quantum * SIXTEENTH)
     }
 }
 
-/// Lattice bits of the corners of the octant whose least corner is bit `first`, in the order of [`Corners`].
-fn corner_bits(first: u32) -> [u32; 8] {
-    [0, 9, 3, 12, 1, 10, 4, 13].map(|step| first + step)
-}
-
-/// How many bits of `mask` precede each of [`PARENT_CORNERS`].
-#[inline]
-fn parent_ranks(mask: u32) -> [usize; 8] {
-    let below = |bit: u32| (mask & ((1 << bit) - 1)).count_ones();
-    let pair = |bit: u32| (mask >> bit & 1) + (mask >> bit >> 1 & 1);
-    let [b, c, d] = [below(6), below(18), below(24)];
-    [0, c, b, d, pair(0), c + pair(18), b + pair(6), d + pair(24)].map(|rank| rank as usize)
-}
-
 /// Words of a regular and of a full tricubic sample.
-pub(crate) fn strides(precision: u32) -> (usize, usize) {
+pub(crate) fn strides(precision: u32) -> (u32, u32) {
     match precision {
         precision::PACKED32 => (1, 4),
         precision::F16 => (2, 4),

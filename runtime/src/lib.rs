@@ -47,6 +47,8 @@ mod bytes;
 mod checksum;
 mod error;
 mod field;
+mod grid;
+mod grid_sample;
 mod header;
 mod hermite;
 mod implied;
@@ -54,15 +56,19 @@ pub mod layout;
 mod leaf;
 mod math;
 mod octree;
+mod polynomial;
+mod reconstruct;
 pub mod sample;
 mod section;
 #[cfg(test)]
 mod tests;
 mod validate;
+mod validate_grid;
 
 pub use checksum::crc32c;
 pub use error::Error;
 pub use field::Field;
+pub use grid::{Grid, GridPrecision, Reconstruction};
 pub use header::{Aabb, ErrorContract, ErrorStatistics, Family, Header, SignMethod};
 pub use octree::{Continuity, Interpolant, Leaf, Leaves, Octree};
 pub use section::{Section, Sections};

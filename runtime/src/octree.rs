@@ -54,6 +54,8 @@ pub struct Octree<'a> {
     root_cells: [u32; 3],
     /// Finest cells along each axis.
     lattice: [u32; 3],
+    /// The same as numbers.
+    lattice_edge: [f32; 3],
     depth: u8,
     interpolant: Interpolant,
     continuity: Continuity,
@@ -109,6 +111,7 @@ impl<'a> Octree<'a> {
             cells_per_unit: (1_u32 << depth) as f32 / root_edge,
             root_cells,
             lattice: root_cells.map(|cells| cells << depth),
+            lattice_edge: root_cells.map(|cells| (cells << depth) as f32),
             depth,
             interpolant: match u8_at(parameters, at::INTERPOLANT) {
                 interpolant::TRILINEAR => Interpolant::Trilinear,
@@ -200,7 +203,9 @@ impl<'a> Octree<'a> {
     pub(crate) fn locate(&self, point: [f32; 3]) -> (Leaf, [f32; 3]) {
         let lattice_point = |axis: usize| {
             let cells = (point[axis] - self.bounds.min[axis]) * self.cells_per_unit;
-            cells.min(self.lattice[axis] as f32)
+            let limit = self.lattice_edge[axis];
+            // Never a NaN: one comparison does.
+            if cells < limit { cells } else { limit }
         };
         let position = [lattice_point(0), lattice_point(1), lattice_point(2)];
         let leaf = self.leaf_at(position.map(|cells| cells as u32));

@@ -133,7 +133,7 @@ fn check_samples(block: &Block<'_>) -> Result<usize, Error> {
             continue;
         }
         let is_full = block.full >> bit & 1 == 1;
-        let size = if is_full { full_stride } else { stride };
+        let size = if is_full { full_stride } else { stride } as usize;
         let words = block.data.tail(length).head(size).ok_or(Error::BlockOrder)?;
         match (block.precision, is_full) {
             (precision::PACKED32, false) => check_gradient_code(words.word(0))?,
@@ -145,7 +145,7 @@ fn check_samples(block: &Block<'_>) -> Result<usize, Error> {
     Ok(length)
 }
 
-fn check_gradient_code(word: u32) -> Result<(), Error> {
+pub(crate) fn check_gradient_code(word: u32) -> Result<(), Error> {
     let mask = (1 << packed::GRADIENT_BITS) - 1;
     let largest = (word & mask).max(word >> packed::GRADIENT_BITS & mask);
     if largest <= packed::GRADIENT_MAX { Ok(()) } else { Err(Error::GradientCode) }
@@ -163,7 +163,7 @@ fn check_halves(words: Words<'_>) -> Result<(), Error> {
     }
 }
 
-fn check_singles(words: Words<'_>) -> Result<(), Error> {
+pub(crate) fn check_singles(words: Words<'_>) -> Result<(), Error> {
     let valid = words.iter().all(|word| sample::is_sample(f32::from_bits(word)));
     if valid { Ok(()) } else { Err(Error::SampleValue) }
 }

@@ -2,6 +2,7 @@
 
 use super::arguments::{Sign, Threads, not_negative, positive};
 use super::exit_code::Failure;
+use super::grid_arguments::GridArguments;
 use super::progress_bar::TerminalProgress;
 use super::{bake_report, files, print, tell, to_json};
 use clap::{Args, FromArgMatches, ValueEnum};
@@ -25,6 +26,7 @@ Examples:
   nearfield bake spot.ply -o spot.nfd
   nearfield bake part.obj -o part.nfd --error-abs 0.05 --precision f16
   nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json
+  nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
   nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed")]
 pub(super) struct Bake {
     /// The mesh: OBJ or PLY
@@ -73,6 +75,9 @@ pub(super) struct Bake {
     /// Points at which the finished field is measured, uniform in the mesh's box and as many near the surface
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), default_value_t = Settings::default().samples)]
     samples: u32,
+
+    #[command(flatten)]
+    grid: GridArguments,
 
     #[command(flatten)]
     threads: Threads,
@@ -220,6 +225,7 @@ impl Bake {
             (Some(Continuity::C1), _) | (None, settings::Interpolant::Tricubic) => settings::Continuity::C1,
         };
         let settings = Settings {
+            layout: self.grid.layout()?,
             error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
             interpolant,
             continuity,

@@ -6,7 +6,7 @@ use nearfield::Field;
 use nearfield_bake::distance::SignMethod;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::report::{Report, Stage};
-use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fs;
@@ -23,20 +23,20 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
     let is_inside_out = obstacle.is_none() && mesh.signed_volume() < 0.0;
     if let Some(obstacle) = obstacle {
         let consequence = match report.sign_method {
-            SignMethod::Winding => "the sign comes from winding numbers",
-            SignMethod::Pseudonormal => "the sign may be wrong; use --sign auto",
+            Some(SignMethod::Winding) => "the sign comes from winding numbers",
+            _ => "the sign may be wrong; use --sign auto",
         };
         warnings.push(format!("{obstacle}; {consequence}"));
     }
     if is_inside_out {
         let consequence = match report.sign_method {
-            SignMethod::Winding => "no point counts as inside",
-            SignMethod::Pseudonormal => "distances are negative outside",
+            Some(SignMethod::Winding) => "no point counts as inside",
+            _ => "distances are negative outside",
         };
         warnings.push(format!("the mesh is inside out, so {consequence}; flip its triangles"));
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
-    if report.measurement.uniform.rmse > target {
+    if settings.layout == Layout::Octree && report.measurement.uniform.rmse > target {
         warnings.push(format!(
             "the error is {:.2} times the target; raise --max-depth or the target",
             report.measurement.uniform.rmse / target
@@ -71,7 +71,7 @@ pub(super) fn summary(
     }
 
     let info = InfoReport::of(field);
-    text += &format!("{}: {} bytes, leaves {}\n", field_path.display(), info.bytes(), info.leaves());
+    text += &format!("{}: {} bytes, {}\n", field_path.display(), info.bytes(), info.cells());
     text += &error_table::table(&field.contract(), field.header().diagonal);
     text += &error_table::details(&report.measurement, field.header().diagonal);
 

@@ -4,7 +4,7 @@ use super::error_table::{self, ContractReport};
 use super::exit_code::Failure;
 use super::{files, print, to_json};
 use clap::Args;
-use nearfield::{Continuity, Field, Interpolant, Octree, SignMethod};
+use nearfield::{Continuity, Field, Grid, GridPrecision, Interpolant, Octree, Reconstruction, SignMethod};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
@@ -37,7 +37,10 @@ pub(super) struct InfoReport {
     lipschitz: f32,
     errors: ContractReport,
     sign_method: &'static str,
-    octree: OctreeReport,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    octree: Option<OctreeReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grid: Option<GridReport>,
     sections: Vec<SectionReport>,
     mesh_hash: String,
     settings_hash: String,
@@ -56,6 +59,17 @@ struct OctreeReport {
     smallest_edge: f32,
     /// One entry a level, from the root cells down.
     leaves_by_level: Vec<u32>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct GridReport {
+    resolution: [u32; 3],
+    spacing: [f32; 3],
+    order: u8,
+    reconstruction: &'static str,
+    precision: &'static str,
+    brick_ranges: bool,
+    quantum: f32,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -93,7 +107,8 @@ impl InfoReport {
                 SignMethod::Winding => "winding",
                 _ => "none",
             },
-            octree: OctreeReport::of(&field.octree()),
+            octree: field.octree().as_ref().map(OctreeReport::of),
+            grid: field.grid().as_ref().map(GridReport::of),
             sections: field
                 .sections()
                 .map(|section| SectionReport {
@@ -113,11 +128,13 @@ impl InfoReport {
         self.bytes
     }
 
-    /// How many leaves there are, in all and by level.
-    pub(super) fn leaves(&self) -> String {
-        let levels = self.octree.leaves_by_level.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
-        let levels: Vec<String> = levels.map(|(level, leaves)| format!("{leaves} at level {level}")).collect();
-        format!("{}: {}", self.octree.leaves, levels.join(", "))
+    /// How many leaves there are, in all and by level, or how many samples.
+    pub(super) fn cells(&self) -> String {
+        match (&self.octree, &self.grid) {
+            (Some(octree), _) => format!("leaves {}", octree.leaves()),
+            (None, Some(grid)) => format!("samples {}", grid.samples()),
+            (None, None) => "nothing that this program knows".to_owned(),
+        }
     }
 
     fn text(&self, field: &Field<'_>) -> String {
@@ -134,12 +151,18 @@ impl InfoReport {
         line("slope", format!("at most {}", self.lipschitz));
         line("sign", self.sign_method.to_owned());
 
-        let octree = &self.octree;
-        let [x, y, z] = octree.root_cells;
-        line("octree", format!("{}, continuity {}", octree.interpolant, octree.continuity));
-        line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
-        line("leaves", self.leaves());
-        line("smallest", format!("{} (edge of the smallest leaves, mesh units)", octree.smallest_edge));
+        if let Some(octree) = &self.octree {
+            let [x, y, z] = octree.root_cells;
+            line("octree", format!("{}, continuity {}", octree.interpolant, octree.continuity));
+            line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
+            line("leaves", octree.leaves());
+            line("smallest", format!("{} (edge of the smallest leaves, mesh units)", octree.smallest_edge));
+        }
+        if let Some(grid) = &self.grid {
+            line("grid", format!("order {}, {}, {}", grid.order, grid.reconstruction, grid.precision));
+            line("samples", grid.samples());
+            line("spacing", coordinates(grid.spacing));
+        }
 
         for section in &self.sections {
             line("section", format!("{} {} bytes at {}", section.kind, section.bytes, section.offset));
@@ -153,6 +176,13 @@ impl InfoReport {
 }
 
 impl OctreeReport {
+    /// How many leaves there are, in all and by level.
+    fn leaves(&self) -> String {
+        let levels = self.leaves_by_level.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
+        let levels: Vec<String> = levels.map(|(level, leaves)| format!("{leaves} at level {level}")).collect();
+        format!("{}: {}", self.leaves, levels.join(", "))
+    }
+
     fn of(octree: &Octree<'_>) -> Self {
         let mut leaves_by_level = vec![0; usize::from(octree.depth()) + 1];
         for leaf in octree.leaves() {
@@ -184,6 +214,38 @@ impl OctreeReport {
 fn smallest_edge(octree: &Octree<'_>, leaves_by_level: &[u32]) -> f32 {
     let deepest = leaves_by_level.iter().rposition(|&leaves| leaves > 0).unwrap_or(0);
     octree.edge(deepest as u8)
+}
+
+impl GridReport {
+    /// How many samples there are.
+    fn samples(&self) -> String {
+        let [x, y, z] = self.resolution;
+        format!("{}: {x} x {y} x {z}", u64::from(x) * u64::from(y) * u64::from(z))
+    }
+
+    fn of(grid: &Grid<'_>) -> Self {
+        Self {
+            resolution: grid.resolution(),
+            spacing: grid.spacing(),
+            order: grid.order(),
+            reconstruction: match grid.reconstruction() {
+                Reconstruction::Nearest => "nearest",
+                Reconstruction::Linear => "linear",
+                Reconstruction::Half => "half",
+                Reconstruction::Blend => "blend",
+                Reconstruction::Hermite => "hermite",
+                _ => "unknown",
+            },
+            precision: match grid.precision() {
+                GridPrecision::Packed32 => "packed32",
+                GridPrecision::F16 => "f16",
+                GridPrecision::F32 => "f32",
+                _ => "unknown",
+            },
+            brick_ranges: grid.has_brick_ranges(),
+            quantum: grid.quantum(),
+        }
+    }
 }
 
 fn hexadecimal(bytes: &[u8]) -> String {

@@ -11,6 +11,7 @@ mod error_table;
 mod exit_code;
 mod files;
 mod generate;
+mod grid_arguments;
 mod info;
 mod mesh;
 mod progress_bar;

@@ -1,9 +1,9 @@
 //! The container around the sections: header, section table, checksums.
 
 use super::EncodeError;
-use crate::octree::Octree;
+use crate::geometry::Aabb;
 use nearfield::ErrorContract;
-use nearfield::layout::{self, family, header, section_entry};
+use nearfield::layout::{self, header, section_entry};
 use std::ops::Range;
 
 /// Where a field came from.
@@ -21,6 +21,16 @@ pub struct Provenance {
     pub target_error: f64,
 }
 
+/// What the header says of the representation.
+pub(super) struct Shape {
+    /// One of [`layout::family`].
+    pub(super) family: u8,
+    /// The box that is sampled, mesh units.
+    pub(super) bounds: Aabb,
+    /// Upper bound of the slope inside the box.
+    pub(super) lipschitz: f64,
+}
+
 pub(super) struct Section {
     pub(super) kind: u32,
     pub(super) bytes: Vec<u8>,
@@ -32,13 +42,13 @@ pub(super) fn put(bytes: &mut [u8], range: Range<usize>, value: &[u8]) {
 }
 
 /// Lays sections out behind a header.
-pub(super) fn assemble(octree: &Octree, provenance: &Provenance, sections: &[Section]) -> Result<Vec<u8>, EncodeError> {
+pub(super) fn assemble(shape: &Shape, provenance: &Provenance, sections: &[Section]) -> Result<Vec<u8>, EncodeError> {
     let table_end = header::LENGTH + sections.len() * section_entry::LENGTH;
     let file_length = table_end + sections.iter().map(|section| section.bytes.len()).sum::<usize>();
     let file_length = u32::try_from(file_length).map_err(|_| EncodeError::TooLarge)?;
 
     let mut bytes = vec![0; table_end];
-    write_header(&mut bytes, octree, provenance, sections.len() as u8, file_length);
+    write_header(&mut bytes, shape, provenance, sections.len() as u8, file_length);
     for (section, at) in sections.iter().zip((header::LENGTH..).step_by(section_entry::LENGTH)) {
         let entry = [section.kind, bytes.len() as u32, section.bytes.len() as u32, crc32c::crc32c(&section.bytes)];
         put(&mut bytes, at..at + section_entry::LENGTH, entry.map(u32::to_le_bytes).as_flattened());
@@ -48,24 +58,23 @@ pub(super) fn assemble(octree: &Octree, provenance: &Provenance, sections: &[Sec
     Ok(bytes)
 }
 
-fn write_header(bytes: &mut [u8], octree: &Octree, provenance: &Provenance, section_count: u8, file_length: u32) {
-    let domain = &octree.tree.domain;
-    let box_max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
+fn write_header(bytes: &mut [u8], shape: &Shape, provenance: &Provenance, section_count: u8, file_length: u32) {
+    let Aabb { min, max } = shape.bounds;
     let [major, minor, patch] = BAKER_VERSION;
 
     put(bytes, header::MAGIC, &layout::MAGIC);
     put(bytes, header::VERSION_MAJOR, &layout::VERSION_MAJOR.to_le_bytes());
     put(bytes, header::VERSION_MINOR, &layout::VERSION_MINOR.to_le_bytes());
     put(bytes, header::FILE_LENGTH, &file_length.to_le_bytes());
-    bytes[header::FAMILY] = family::OCTREE;
+    bytes[header::FAMILY] = shape.family;
     bytes[header::SIGN_METHOD] = provenance.sign_method;
     bytes[header::SECTION_COUNT] = section_count;
-    put(bytes, header::BOX_MIN, domain.origin.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
-    put(bytes, header::BOX_MAX, box_max.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
+    put(bytes, header::BOX_MIN, min.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
+    put(bytes, header::BOX_MAX, max.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
     put(bytes, header::DIAGONAL, &(provenance.diagonal as f32).to_le_bytes());
     put(bytes, header::TARGET_ERROR, &(provenance.target_error as f32).to_le_bytes());
     // Rounded up: it is a bound.
-    put(bytes, header::LIPSCHITZ, &(octree.lipschitz as f32).next_up().to_le_bytes());
+    put(bytes, header::LIPSCHITZ, &(shape.lipschitz as f32).next_up().to_le_bytes());
     put(bytes, header::MESH_HASH, &provenance.mesh_hash);
     put(bytes, header::SETTINGS_HASH, &provenance.settings_hash);
     put(bytes, header::BAKER_VERSION, &(major << 16 | minor << 8 | patch).to_le_bytes());

@@ -2,23 +2,37 @@
 
 mod blocks;
 mod container;
+mod grid;
 mod octree;
 
 pub use container::{Provenance, write_contract};
 
+use crate::geometry::Aabb;
+use crate::grid::Grid;
 use crate::octree::Octree;
+use container::Shape;
+use nearfield::layout::family;
 use thiserror::Error;
 
 /// A field that the format cannot hold.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum EncodeError {
     /// Sections are limited by the offsets of node words, files by 32-bit lengths.
-    #[error("the field would need more than 1 GiB: ask for a larger error or a smaller depth")]
+    #[error("the field would need more than 1 GiB: ask for a larger error, a smaller depth or a lower resolution")]
     TooLarge,
 }
 
 /// The file of an octree, its error contract still blank.
 pub fn encode(octree: &Octree, provenance: &Provenance) -> Result<Vec<u8>, EncodeError> {
-    let sections = octree::sections(octree)?;
-    container::assemble(octree, provenance, &sections)
+    let domain = &octree.tree.domain;
+    let max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
+    let bounds = Aabb { min: domain.origin, max };
+    let shape = Shape { family: family::OCTREE, bounds, lipschitz: octree.lipschitz };
+    container::assemble(&shape, provenance, &octree::sections(octree)?)
+}
+
+/// The file of a grid, its error contract still blank.
+pub fn encode_grid(grid: &Grid, provenance: &Provenance) -> Result<Vec<u8>, EncodeError> {
+    let shape = Shape { family: family::GRID, bounds: grid.domain.bounds(), lipschitz: grid.lipschitz };
+    container::assemble(&shape, provenance, &grid::sections(grid))
 }

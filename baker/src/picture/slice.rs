@@ -2,7 +2,7 @@
 
 use super::colour;
 use super::image::{Image, Rgb};
-use nearfield::{Field, Leaf, Octree};
+use nearfield::{Field, Leaf};
 use rayon::prelude::*;
 
 /// Axis that a slice is perpendicular to.
@@ -63,13 +63,12 @@ pub fn slice(field: &Field<'_>, request: &Slice) -> Image {
     let spacing = round_number(range / ISOLINES);
     let mut pixels: Vec<Rgb> = (0..raster.distances.len()).map(|index| raster.shade(index, range, spacing)).collect();
 
-    // Borders of the leaves.
+    // Borders of the leaves or cells.
     if request.cells {
-        let octree = field.octree();
-        let leaves: Vec<Leaf> = rows.par_iter().flatten_iter().map(|&point| leaf_of(&octree, point)).collect();
+        let cells: Vec<Cell> = rows.par_iter().flatten_iter().map(|&point| cell_of(field, point)).collect();
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let (right, below) = raster.neighbours(index);
-            if leaves[index] != leaves[right] || leaves[index] != leaves[below] {
+            if cells[index] != cells[right] || cells[index] != cells[below] {
                 *pixel = colour::mix(*pixel, colour::CELL, 0.45);
             }
         }
@@ -167,10 +166,21 @@ impl Raster {
     }
 }
 
-/// The leaf that holds the point, or the one nearest to it.
-fn leaf_of(octree: &Octree<'_>, point: [f32; 3]) -> Leaf {
-    let (low, cell) = (octree.bounds().min, octree.edge(octree.depth()));
-    octree.leaf_at([0, 1, 2].map(|axis| ((point[axis] - low[axis]) / cell) as u32))
+/// A leaf of an octree or a cell of a grid.
+#[derive(PartialEq)]
+enum Cell {
+    Leaf(Leaf),
+    Grid([u32; 3]),
+}
+
+/// The leaf or cell that holds the point, or the one nearest to it.
+fn cell_of(field: &Field<'_>, point: [f32; 3]) -> Cell {
+    let low = field.header().bounds.min;
+    let place = |edge: [f32; 3]| [0, 1, 2].map(|axis| ((point[axis] - low[axis]) / edge[axis]) as u32);
+    if let Some(octree) = field.octree() {
+        return Cell::Leaf(octree.leaf_at(place([octree.edge(octree.depth()); 3])));
+    }
+    Cell::Grid(field.grid().map_or([0; 3], |grid| place(grid.spacing())))
 }
 
 /// The number of the form 1, 2 or 5 times a power of ten that is next above `least`.

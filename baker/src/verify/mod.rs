@@ -50,17 +50,42 @@ pub fn measure(
     samples: u32,
     seed: u64,
 ) -> Measurement {
-    let count = samples as usize;
+    let reach = BAND * mesh.bounds.diagonal();
+    let near = points::near_surface(mesh, reach, samples as usize, seed);
+    measure_at(field, truth, &mesh.bounds, near, samples, seed)
+}
 
-    // Uniform in the mesh's box.
-    let points = points::uniform(&mesh.bounds, count, seed);
+/// Measures a field against a function, as [`measure`] does against a mesh, in this box.
+///
+/// The points of the band come from points of the box that were moved along the gradient until they met
+/// the function's zero set; those that did not are left out.
+pub fn measure_function(
+    field: &Field<'_>,
+    truth: &dyn FieldFunction,
+    bounds: &Aabb,
+    samples: u32,
+    seed: u64,
+) -> Measurement {
+    let near = points::near_zero(truth, bounds, BAND * bounds.diagonal(), samples as usize, seed);
+    measure_at(field, truth, bounds, near, samples, seed)
+}
+
+fn measure_at(
+    field: &Field<'_>,
+    truth: &dyn FieldFunction,
+    bounds: &Aabb,
+    near: Vec<[f32; 3]>,
+    samples: u32,
+    seed: u64,
+) -> Measurement {
+    // Uniform in the box.
+    let points = points::uniform(bounds, samples as usize, seed);
     let exact = sample(truth, &points);
     let uniform = ErrorDistribution::of(&answers(field, &points), &exact);
     let mut doubtful_signs = count_doubtful(truth, &points);
 
     // In the band.
-    let reach = BAND * mesh.bounds.diagonal();
-    let mut points = points::near_surface(mesh, reach, count, seed);
+    let mut points = near;
     let domain = field_box(field);
     points.retain(|&point| contains(&domain, points::to_dvec3(point)));
     let exact = sample(truth, &points);
@@ -68,7 +93,7 @@ pub fn measure(
     doubtful_signs += count_doubtful(truth, &points);
 
     // Across the faces.
-    let seams = seams::measure(&field.octree(), seed);
+    let seams = seams::measure(field, seed);
 
     Measurement { uniform, band, seams, samples, doubtful_signs }
 }

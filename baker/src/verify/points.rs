@@ -3,6 +3,7 @@
 //! Points are rounded to `f32` once, before either side sees them, and ordered along a Morton curve so
 //! that neighbours in the slice are neighbours in space.
 
+use crate::field_function::{FieldFunction, Sample};
 use crate::geometry::Aabb;
 use crate::mesh::CheckedMesh;
 use crate::morton;
@@ -39,6 +40,32 @@ pub(super) fn near_surface(mesh: &CheckedMesh, reach: f64, count: usize, seed: u
         let corners = mesh.corners(triangle.min(areas_up_to.len() - 1));
         let point = point_of_triangle(corners, &mut draws) + draws.direction() * (reach * draws.unit());
         point.as_vec3().to_array()
+    });
+
+    in_morton_order(points.collect())
+}
+
+/// Points near the zero set of a function: points of the box, projected along the gradient, each moved by
+/// up to `reach` in a random direction. Points whose projection does not meet the zero set are left out.
+pub(super) fn near_zero(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    reach: f64,
+    count: usize,
+    seed: u64,
+) -> Vec<[f32; 3]> {
+    const STEPS: usize = 8;
+    let points = (0..count as u64).into_par_iter().filter_map(|index| {
+        let mut draws = Draws::new(seed, BAND_STREAM, index);
+        let unit = DVec3::new(draws.unit(), draws.unit(), draws.unit());
+        let mut point = bounds.min + bounds.size() * unit;
+        for _ in 0..STEPS {
+            let Sample { distance, gradient } = function.sample(point);
+            point -= gradient * (distance / gradient.length_squared().max(0.25));
+        }
+        let met = function.sample(point).distance.abs() <= 0.01 * reach;
+        let moved = point + draws.direction() * (reach * draws.unit());
+        met.then(|| moved.as_vec3().to_array())
     });
 
     in_morton_order(points.collect())

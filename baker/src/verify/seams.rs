@@ -1,7 +1,7 @@
 //! How far a field jumps across the faces between its leaves.
 
 use crate::random::Draws;
-use nearfield::{Leaf, Octree};
+use nearfield::{Field, Grid, Leaf, Octree, Reconstruction};
 use rayon::prelude::*;
 
 const STREAM: u64 = 3;
@@ -34,7 +34,56 @@ pub struct SeamStatistics {
 ///
 /// A face between leaves of different sizes is visited from the smaller one; a face between equals
 /// from the one on its low side. So every face counts once.
-pub(super) fn measure(octree: &Octree<'_>, seed: u64) -> SeamStatistics {
+pub(super) fn measure(field: &Field<'_>, seed: u64) -> SeamStatistics {
+    match (field.octree(), field.grid()) {
+        (Some(octree), _) => of_octree(&octree, seed),
+        (None, Some(grid)) => of_grid(&grid, seed),
+        (None, None) => SeamStatistics::default(),
+    }
+}
+
+/// The faces between the cells of a grid; for the nearest sample's answer, those halfway.
+fn of_grid(grid: &Grid<'_>, seed: u64) -> SeamStatistics {
+    let [nx, ny, nz] = grid.resolution().map(|samples| samples as usize - 1);
+    let stride = (nx * ny * nz).div_ceil(MAX_LEAVES).max(1);
+    let cells: Vec<usize> = (0..nx * ny * nz).step_by(stride).collect();
+    let is_nearest = grid.reconstruction() == Reconstruction::Nearest;
+
+    let chunks: Vec<Sums> = cells
+        .par_chunks(CHUNK)
+        .map(|chunk| {
+            let mut sums = Sums::default();
+            for &index in chunk {
+                let cell = [index % nx, index / nx % ny, index / nx / ny];
+                let mut draws = Draws::new(seed, STREAM, index as u64);
+                for axis in 0..3 {
+                    let mut next = cell;
+                    next[axis] += 1;
+                    for _ in 0..POINTS_PER_FACE {
+                        let mut here = [0; 3].map(|_: u32| draws.unit() as f32);
+                        let mut there = here;
+                        let other = if is_nearest {
+                            (here[axis], there[axis]) = (0.5_f32.next_down(), 0.5);
+                            cell
+                        } else {
+                            (here[axis], there[axis]) = (1.0, 0.0);
+                            next
+                        };
+                        if other[axis] < [nx, ny, nz][axis] {
+                            let answer = |cell: [usize; 3], local| grid.evaluate(cell.map(|at| at as u32), local);
+                            sums.add(answer(cell, here), answer(other, there));
+                        }
+                    }
+                }
+            }
+            sums
+        })
+        .collect();
+
+    chunks.into_iter().fold(Sums::default(), Sums::plus).statistics()
+}
+
+fn of_octree(octree: &Octree<'_>, seed: u64) -> SeamStatistics {
     let stride = (octree.leaf_count() as usize).div_ceil(MAX_LEAVES).max(1);
     let leaves: Vec<(usize, Leaf)> = octree.leaves().enumerate().step_by(stride).collect();
 

@@ -14,8 +14,8 @@ fn assert_finite(field: &Field<'_>, random: &mut Random) {
         assert!(gradient.iter().all(|component| component.is_finite()), "{gradient:?}");
         assert!(field.distance(point).is_finite());
     }
-    for leaf in field.octree().leaves().take(100) {
-        let (distance, gradient) = field.octree().evaluate(&leaf, [0.25, 1.0, 0.5]);
+    for leaf in field.octree().expect("an octree").leaves().take(100) {
+        let (distance, gradient) = field.octree().expect("an octree").evaluate(&leaf, [0.25, 1.0, 0.5]);
         assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()));
     }
 }

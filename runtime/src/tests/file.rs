@@ -55,37 +55,41 @@ impl File {
             (section::SAMPLES, words(&self.samples)),
         ];
 
-        let mut bytes = std::vec![0; header::LENGTH + sections.len() * section_entry::LENGTH];
-        for (index, (kind, contents)) in sections.iter().enumerate() {
-            let entry = header::LENGTH + index * section_entry::LENGTH;
-            let offset = bytes.len() as u32;
-            let values = [*kind, offset, contents.len() as u32, crc32c(contents)];
-            let ranges =
-                [section_entry::KIND, section_entry::OFFSET, section_entry::SECTION_LENGTH, section_entry::CHECKSUM];
-            for (range, value) in ranges.into_iter().zip(values) {
-                bytes[entry..][range].copy_from_slice(&value.to_le_bytes());
-            }
-            bytes.extend(contents);
-        }
-
-        bytes[header::MAGIC].copy_from_slice(&MAGIC);
-        bytes[header::VERSION_MAJOR].copy_from_slice(&VERSION_MAJOR.to_le_bytes());
-        bytes[header::VERSION_MINOR].copy_from_slice(&VERSION_MINOR.to_le_bytes());
-        let length = bytes.len() as u32;
-        bytes[header::FILE_LENGTH].copy_from_slice(&length.to_le_bytes());
-        bytes[header::FAMILY] = family::OCTREE;
-        bytes[header::SECTION_COUNT] = sections.len() as u8;
-        for axis in 0..3 {
-            let min = self.box_min[axis];
-            let max = min + f32::from(self.root_cells[axis]) * self.root_edge;
-            put(&mut bytes, header::BOX_MIN.start + 4 * axis, min);
-            put(&mut bytes, header::BOX_MAX.start + 4 * axis, max);
-        }
-        put(&mut bytes, header::DIAGONAL.start, 1.0);
-        put(&mut bytes, header::LIPSCHITZ.start, 1.0);
-        seal(&mut bytes);
-        bytes
+        let extent = self.root_cells.map(|cells| f32::from(cells) * self.root_edge);
+        assemble(family::OCTREE, self.box_min, extent, &sections)
     }
+}
+
+/// A file of these sections, checksums and all.
+pub(super) fn assemble(family: u8, box_min: [f32; 3], extent: [f32; 3], sections: &[(u32, Vec<u8>)]) -> Vec<u8> {
+    let mut bytes = std::vec![0; header::LENGTH + sections.len() * section_entry::LENGTH];
+    for (index, (kind, contents)) in sections.iter().enumerate() {
+        let entry = header::LENGTH + index * section_entry::LENGTH;
+        let offset = bytes.len() as u32;
+        let values = [*kind, offset, contents.len() as u32, crc32c(contents)];
+        let ranges =
+            [section_entry::KIND, section_entry::OFFSET, section_entry::SECTION_LENGTH, section_entry::CHECKSUM];
+        for (range, value) in ranges.into_iter().zip(values) {
+            bytes[entry..][range].copy_from_slice(&value.to_le_bytes());
+        }
+        bytes.extend(contents);
+    }
+
+    bytes[header::MAGIC].copy_from_slice(&MAGIC);
+    bytes[header::VERSION_MAJOR].copy_from_slice(&VERSION_MAJOR.to_le_bytes());
+    bytes[header::VERSION_MINOR].copy_from_slice(&VERSION_MINOR.to_le_bytes());
+    let length = bytes.len() as u32;
+    bytes[header::FILE_LENGTH].copy_from_slice(&length.to_le_bytes());
+    bytes[header::FAMILY] = family;
+    bytes[header::SECTION_COUNT] = sections.len() as u8;
+    for axis in 0..3 {
+        put(&mut bytes, header::BOX_MIN.start + 4 * axis, box_min[axis]);
+        put(&mut bytes, header::BOX_MAX.start + 4 * axis, box_min[axis] + extent[axis]);
+    }
+    put(&mut bytes, header::DIAGONAL.start, 1.0);
+    put(&mut bytes, header::LIPSCHITZ.start, 1.0);
+    seal(&mut bytes);
+    bytes
 }
 
 fn put(bytes: &mut [u8], at: usize, value: f32) {

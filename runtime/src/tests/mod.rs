@@ -2,6 +2,7 @@
 
 mod damage;
 mod file;
+mod grid;
 mod octree;
 mod open;
 mod outside;

@@ -8,7 +8,7 @@ use crate::layout::octree;
 #[test]
 fn leaves_come_in_order_and_tile_the_box() {
     let bytes = three_levels().bytes();
-    let octree = open(&bytes).octree();
+    let octree = open(&bytes).octree().expect("an octree");
     let leaves: Vec<_> = octree.leaves().collect();
     assert_eq!(leaves.len(), octree.leaf_count() as usize);
 
@@ -35,7 +35,7 @@ fn leaves_come_in_order_and_tile_the_box() {
 #[test]
 fn a_point_on_a_face_belongs_to_the_greater_leaf() {
     let bytes = three_levels().bytes();
-    let octree = open(&bytes).octree();
+    let octree = open(&bytes).octree().expect("an octree");
     let (leaf, local) = octree.locate([3.0, 2.0, 3.0]);
     assert_eq!((leaf.cell, leaf.level, local), ([4, 0, 0], 1, [0.0; 3]));
     let (leaf, local) = octree.locate([2.999_999_8, 2.0, 3.0]);
@@ -56,7 +56,7 @@ fn local_coordinates_stay_within_the_leaf() {
     file.box_min = [100.1, -7.3, 0.01];
     let bytes = file.bytes();
     let field = open(&bytes);
-    let (octree, bounds) = (field.octree(), field.header().bounds);
+    let (octree, bounds) = (field.octree().expect("an octree"), field.header().bounds);
     let mut random = Random::new(3);
     for _ in 0..5000 {
         let unit = random.point();
@@ -99,7 +99,7 @@ fn the_deepest_and_widest_lattice_opens() {
     file.depth = octree::MAX_DEPTH;
     file.root_cells = [3, 1, 1];
     let bytes = file.bytes();
-    let octree = open(&bytes).octree();
+    let octree = open(&bytes).octree().expect("an octree");
     assert_eq!(octree.lattice(), [3 << 16, 1 << 16, 1 << 16]);
     assert_eq!(octree.leaves().count(), 24);
 }

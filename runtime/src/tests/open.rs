@@ -40,7 +40,7 @@ fn header_rules() {
     assert_eq!(set(header::VERSION_MINOR.start, 1), Some(Error::Version), "from the future");
     assert_eq!(set(header::FILE_LENGTH.start, 1), Some(Error::FileLength));
     assert_eq!(set(header::RESERVED, 1), Some(Error::Reserved));
-    assert_eq!(set(header::FAMILY, 1), Some(Error::Family));
+    assert_eq!(set(header::FAMILY, 3), Some(Error::Family));
     assert_eq!(set(header::SIGN_METHOD, 3), Some(Error::SignMethod));
     assert_eq!(set(header::UNUSED.start, 255), None, "unused bits are ignored");
 
@@ -323,7 +323,7 @@ fn the_header_is_read_as_written() {
     assert_eq!(contract.max_error(), 2.0);
     assert_eq!(ErrorContract::default().max_error(), f32::INFINITY, "nothing was measured");
 
-    let octree = field.octree();
+    let octree = field.octree().expect("an octree");
     assert_eq!((octree.root_cells(), octree.depth(), octree.root_edge()), ([3, 1, 1], 2, 2.0));
     assert_eq!((octree.edge(2), octree.quantum(1)), (0.5, 1.0 / 128.0));
     assert_eq!(octree.interpolant(), Interpolant::Tricubic);

@@ -6,8 +6,8 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::layout::{
-    self, block, continuity, family, header, interpolant, limit, node, octree, packed_sample, precision, section,
-    section_entry, sign_method,
+    self, block, continuity, family, grid, header, interpolant, limit, node, octree, packed_sample, precision, range,
+    reconstruction, section, section_entry, sign_method,
 };
 use crate::sample::decode_gradient;
 
@@ -128,12 +128,36 @@ fn byte_ranges() {
         ],
         octree::LENGTH,
     );
+    expect_ranges(
+        "### 11.1 Grid parameters",
+        &[
+            ("RESOLUTION", grid::RESOLUTION),
+            ("ORDER", byte(grid::ORDER)),
+            ("RECONSTRUCTION", byte(grid::RECONSTRUCTION)),
+            ("PRECISION", byte(grid::PRECISION)),
+            ("RANGE", byte(grid::RANGE)),
+            ("RESERVED", grid::RESERVED),
+            ("SPACING", grid::SPACING),
+            ("QUANTUM", grid::QUANTUM),
+        ],
+        grid::LENGTH,
+    );
 }
 
 #[test]
 fn codes() {
     let value = u32::from;
-    expect_values("### 3.5 Family", &[("OCTREE", value(family::OCTREE))]);
+    expect_values("### 3.5 Family", &[("GRID", value(family::GRID)), ("OCTREE", value(family::OCTREE))]);
+    let ranges = [("FILE", value(range::FILE)), ("BRICK", value(range::BRICK))];
+    expect_values("### 11.2 Range", &ranges);
+    let reconstructions = [
+        ("NEAREST", value(reconstruction::NEAREST)),
+        ("LINEAR", value(reconstruction::LINEAR)),
+        ("HALF", value(reconstruction::HALF)),
+        ("BLEND", value(reconstruction::BLEND)),
+        ("HERMITE", value(reconstruction::HERMITE)),
+    ];
+    expect_values("### 11.4 Reconstruction", &reconstructions);
     let signs = [
         ("NONE", value(sign_method::NONE)),
         ("PSEUDONORMAL", value(sign_method::PSEUDONORMAL)),
@@ -162,6 +186,8 @@ fn codes() {
         ("OCTREE".to_string(), section::OCTREE),
         ("NODES".to_string(), section::NODES),
         ("SAMPLES".to_string(), section::SAMPLES),
+        ("GRID".to_string(), section::GRID),
+        ("BASES".to_string(), section::BASES),
     ];
     assert_eq!(kinds, expected);
 }
@@ -178,6 +204,10 @@ fn limits() {
         ("MAX_LATTICE", f64::from(octree::MAX_LATTICE)),
         ("MIN_BASE", f64::from(block::MIN_BASE)),
         ("MAX_BASE", f64::from(block::MAX_BASE)),
+        ("MAX_ORDER", f64::from(grid::MAX_ORDER)),
+        ("MIN_RESOLUTION", f64::from(grid::MIN_RESOLUTION)),
+        ("BRICK_EDGE", f64::from(grid::BRICK_EDGE)),
+        ("MAX_ANISOTROPY", f64::from(grid::MAX_ANISOTROPY)),
     ];
     let found: Vec<_> = rows("### 1.4 Limits")
         .iter()

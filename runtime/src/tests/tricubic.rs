@@ -203,7 +203,7 @@ fn both_sides_of_a_face_agree_to_the_bit() {
 
     for samples in [packed, mixed] {
         let bytes = divided(samples).bytes();
-        let octree = open(&bytes).octree();
+        let octree = open(&bytes).octree().expect("an octree");
         for axis in 0..3 {
             for _ in 0..200 {
                 let (mut near, mut far) = (random.point(), [0; 3]);

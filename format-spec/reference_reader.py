@@ -1,0 +1,640 @@
+#!/usr/bin/env python3
+"""A reader of Nearfield files that was written from SPEC.md alone, in its order, for readers of SPEC.md.
+
+It is slow and shares nothing with the reader of this repository, so that a mistake in one shows as a disagreement.
+Section numbers refer to SPEC.md. Needs Python 3.9 and nothing else.
+
+    reference_reader.py check FILE...                    one line a file: "valid", or the name of the rule it breaks (§12)
+    reference_reader.py query FILE POINTS.f32 OUT.f32    three f32 a point; distance and gradient, four f32 an answer
+    reference_reader.py expect FILE...                   points and answers, as stored beside the vectors, in JSON
+"""
+
+import json
+import math
+import struct
+import sys
+from ctypes import c_float
+
+# ---- §1.1 Numbers ----------------------------------------------------------------------------------------------------
+
+
+class F32(float):
+    """A binary32 number whose operations round to nearest, ties to even.
+
+    Sums, products and quotients of two binary32 numbers in binary64 keep enough bits to be rounded twice.
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, value):
+        return float.__new__(cls, c_float(value).value)
+
+    def __add__(a, b):
+        return F32(float.__add__(a, b))
+
+    def __sub__(a, b):
+        return F32(float.__sub__(a, b))
+
+    def __mul__(a, b):
+        return F32(float.__mul__(a, b))
+
+    def __truediv__(a, b):
+        return F32(float.__truediv__(a, b))
+
+    def __rsub__(a, b):
+        return F32(float.__rsub__(a, b))
+
+    def __rtruediv__(a, b):
+        return F32(float.__rtruediv__(a, b))
+
+    def __neg__(a):
+        return F32(float.__neg__(a))
+
+    def __abs__(a):
+        return F32(float.__abs__(a))
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+def from_bits(bits):
+    return F32(struct.unpack("<f", struct.pack("<I", bits))[0])
+
+
+def half(bits):
+    return F32(struct.unpack("<e", struct.pack("<H", bits))[0])
+
+
+# ---- §1.4 Limits -----------------------------------------------------------------------------------------------------
+
+MAX_MAGNITUDE = 2.0**60
+MIN_ROOT_EDGE = 2.0**-40
+MIN_QUANTUM = 2.0**-80
+BOX_TOLERANCE = 2.0**-20
+MAX_SECTIONS = 16
+MAX_DEPTH = 16
+MAX_LATTICE = 1048576
+MIN_BASE = -134217728
+MAX_BASE = 134213632
+LARGEST = F32(3.4028234663852886e38)
+NAN = float("nan")
+
+AXES = range(3)
+
+
+class Invalid(Exception):
+    """A rule that a file breaks, by its name in §12."""
+
+
+def require(condition, rule):
+    if not condition:
+        raise Invalid(rule)
+
+
+# ---- §4.1 CRC-32C ----------------------------------------------------------------------------------------------------
+
+CRC_TABLE = []
+for index in range(256):
+    for _ in range(8):
+        index = index >> 1 ^ (0x82F63B78 if index & 1 else 0)
+    CRC_TABLE.append(index)
+
+
+def crc32c(data):
+    crc = 0xFFFFFFFF
+    for byte in data:
+        crc = CRC_TABLE[(crc ^ byte) & 0xFF] ^ crc >> 8
+    return crc ^ 0xFFFFFFFF
+
+
+assert crc32c(b"123456789") == 0xE3069283
+
+# ---- §2 to §4 The container ------------------------------------------------------------------------------------------
+
+HEADER_LENGTH = 128
+ENTRY_LENGTH = 16
+MAGIC = bytes([0x89, 0x4E, 0x46, 0x44, 0x0D, 0x0A, 0x1A, 0x0A])
+SIGN_METHODS = {0, 1, 2}
+
+
+def open_field(data):
+    """Opens a file (§1.5): the field that it holds, which answers queries."""
+    sections, bounds, family = read_container(data)
+    require(family in FAMILIES, "Family")
+    return FAMILIES[family](sections, *bounds)
+
+
+def read_container(data):
+    """The sections by kind, each with its bytes and its checksum, the corners of the box, and the family."""
+    # What says that the rest can be read.
+    require(len(data) >= HEADER_LENGTH, "Truncated")
+    require(data[:8] == MAGIC, "Magic")
+    major, minor, length = struct.unpack_from("<HHI", data, 8)
+    require((major, minor) == (1, 0), "Version")
+    require(length == len(data), "FileLength")
+    family, sign_method, count, reserved, checksum = struct.unpack_from("<BBBBI", data, 16)
+    table_end = HEADER_LENGTH + count * ENTRY_LENGTH
+    require(count <= MAX_SECTIONS, "SectionTable")
+    require(len(data) >= table_end, "Truncated")
+    require(crc32c(data[:20] + bytes(4) + data[24:table_end]) == checksum, "HeaderChecksum")
+
+    # §3.5 to §3.9
+    require(reserved == 0, "Reserved")
+    require(family in FAMILIES, "Family")
+    require(sign_method in SIGN_METHODS, "SignMethod")
+    numbers = [F32(number) for number in struct.unpack_from("<16f", data, 24)]
+    box_min, box_max, quantities, contract = numbers[:3], numbers[3:6], numbers[6:9], numbers[9:]
+    require(all(abs(x) <= MAX_MAGNITUDE for x in box_min + box_max), "Bounds")
+    require(all(box_min[axis] < box_max[axis] for axis in AXES), "Bounds")
+    require(all(0 <= x <= MAX_MAGNITUDE for x in quantities + contract), "Quantity")
+    for rmse, p99, most in (contract[0:3], contract[3:6]):
+        require(rmse <= most and p99 <= most, "Contract")
+
+    # §4
+    sections, end = {}, table_end
+    for entry in range(HEADER_LENGTH, table_end, ENTRY_LENGTH):
+        kind, offset, length, checksum = struct.unpack_from("<4sIII", data, entry)
+        require(offset == end and length % 4 == 0, "SectionTable")
+        end = offset + length
+        require(end <= len(data), "SectionTable")
+        require(kind not in sections, "SectionDuplicate")
+        sections[kind] = (data[offset:end], checksum)
+    require(end == len(data), "SectionTable")
+    return sections, (box_min, box_max), family
+
+
+# ---- §5 Octree parameters --------------------------------------------------------------------------------------------
+
+TRILINEAR, TRICUBIC = 0, 1
+CONTINUITIES = {0, 1, 2}
+INNER, LEAF = 0, 1
+PACKED32, F16, FULL_F32 = 0, 1, 2
+
+
+class Octree:
+    """The octree family, §5 to §8."""
+
+    def __init__(self, sections, box_min, box_max):
+        for kind in (b"OCTR", b"NODE", b"SAMP"):
+            require(kind in sections, "SectionMissing")
+        self.sections, self.box_min, self.box_max = sections, box_min, box_max
+        parameters, checksum = sections[b"OCTR"]
+        require(len(parameters) == 24, "OctreeLength")
+        require(crc32c(parameters) == checksum, "SectionChecksum")
+
+        *self.root_cells, self.depth, self.interpolant, continuity = struct.unpack_from("<3H3B", parameters)
+        root_edge, quantum, self.leaf_count = struct.unpack_from("<ffI", parameters, 12)
+        self.root_edge, self.quantum = F32(root_edge), F32(quantum)
+        require(not any(parameters[9:12]), "Reserved")
+        require(self.depth <= MAX_DEPTH, "OctreeLattice")
+        require(all(1 <= n <= MAX_LATTICE >> self.depth for n in self.root_cells), "OctreeLattice")
+        require(self.interpolant in (TRILINEAR, TRICUBIC), "Interpolant")
+        require(continuity in CONTINUITIES, "Continuity")
+        require(MIN_ROOT_EDGE <= self.root_edge <= MAX_MAGNITUDE, "OctreeScale")
+        require(MIN_QUANTUM <= self.quantum <= self.root_edge, "OctreeScale")
+        for axis in AXES:
+            extent = F32(self.root_cells[axis]) * self.root_edge
+            total = self.box_min[axis] + extent
+            largest = max(extent, abs(self.box_min[axis]), abs(self.box_max[axis]))
+            require(abs(self.box_max[axis] - total) <= BOX_TOLERANCE * largest, "OctreeBounds")
+
+        self.nodes, self.samples = (words(sections[kind][0]) for kind in (b"NODE", b"SAMP"))
+        self.root_count = math.prod(self.root_cells)
+        groups = len(self.nodes) - self.root_count
+        require(groups >= 0 and groups % 8 == 0, "NodeLength")
+
+    # ---- §6 to §8: validation ----
+
+    def validate(self):
+        for contents, checksum in self.sections.values():
+            require(crc32c(contents) == checksum, "SectionChecksum")
+        next_block = 0
+        for level, child_words in self.check_nodes():
+            next_block = self.check_leaves(level, child_words, next_block)
+        require(next_block == len(self.samples), "BlockOrder")
+
+    def check_nodes(self):
+        """§6.1: the level and the words of each root cell, one a list, and of each group of children."""
+        levels = [0] * self.root_count
+        sets, leaf_count, inner_count = [], 0, 0
+        for index, word in enumerate(self.nodes):
+            offset, tag = word & 0xFFFFFFF, word >> 28
+            require(tag in (INNER, LEAF), "NodeTag")
+            # Of a group that no inner word before it refers to, nothing is known.
+            require(index < len(levels), "NodeOrder")
+            if tag == LEAF:
+                leaf_count += 1
+            else:
+                require(offset == self.root_count + 8 * inner_count, "NodeOrder")
+                require(levels[index] < self.depth, "NodeDepth")
+                levels.extend([levels[index] + 1] * 8)
+                inner_count += 1
+        require(len(levels) == len(self.nodes), "NodeOrder")
+        require(leaf_count == self.leaf_count, "LeafCount")
+
+        for index in range(self.root_count):
+            sets.append((0, self.nodes[index : index + 1]))
+        for index in range(self.root_count, len(self.nodes), 8):
+            sets.append((levels[index], self.nodes[index : index + 8]))
+        return sets
+
+    def check_leaves(self, level, child_words, start):
+        """§7, §8: the leaves of one group, whose block starts at the word `start`. Answers where the next one does."""
+        leaves = [(child, word & 0xFFFFFFF) for child, word in enumerate(child_words) if word >> 28 == LEAF]
+        if not leaves:
+            return start
+        require(all(block == start for _, block in leaves), "BlockOrder")
+        require(start + 3 <= len(self.samples), "BlockOrder")
+        block = Block(self, start)
+        require(block.precision <= 2, "BlockPrecision")
+        require(self.samples[start] >> 29 == 0 and self.samples[start + 1] >> 27 == 0, "Reserved")
+        require(block.full & ~block.present == 0, "BlockFull")
+        require(self.interpolant == TRICUBIC or block.full == 0, "BlockFull")
+        if block.precision == FULL_F32:
+            require(block.base == 0, "Reserved")
+        require(MIN_BASE <= block.base <= MAX_BASE, "BlockBase")
+        for child, _ in leaves:
+            for i, j, k in CORNERS:
+                place = ((child & 1) + i, (child >> 1 & 1) + j, (child >> 2) + k)
+                require(block.has(place) or level > 0 and block.implies(place), "BlockPresent")
+        end = start + block.length()
+        require(end <= len(self.samples), "BlockOrder")
+        block.check_samples()
+        return end
+
+    # ---- §9 Queries ----
+
+    def distance_and_gradient(self, point):
+        p = [F32(x) for x in point]
+        if any(map(math.isnan, p)):
+            return NAN, [NAN] * 3
+        if any(map(math.isinf, p)):
+            d = [math.copysign(1.0, x) if math.isinf(x) else 0.0 for x in p]
+            return math.inf, [F32(x / math.hypot(*d)) for x in d]
+        c = self.nearest_in_box(p)
+        value, gradient = self.inside(c)
+        if c == p:
+            return value, gradient
+        # Wider numbers neither overflow nor underflow here.
+        beyond = [float(p[axis]) - float(c[axis]) for axis in AXES]
+        length = math.hypot(*beyond)
+        return F32(min(float(value) + length, LARGEST)), [F32(x / length) for x in beyond]
+
+    def locate(self, c):
+        """§9.2: the block's first word, the level, the octant in the parent, the local coordinates."""
+        shift = self.depth
+        n = [cells << self.depth for cells in self.root_cells]
+        scale = F32(2**self.depth) / self.root_edge
+        q = [min((c[axis] - self.box_min[axis]) * scale, F32(n[axis])) for axis in AXES]
+        i = [min(math.floor(q[axis]), n[axis] - 1) for axis in AXES]
+        root = [x >> shift for x in i]
+        index = root[0] + self.root_cells[0] * (root[1] + self.root_cells[1] * root[2])
+        child = (0, 0, 0)
+        while self.nodes[index] >> 28 == INNER and shift > 0:
+            shift -= 1
+            child = tuple(x >> shift & 1 for x in i)
+            index = (self.nodes[index] & 0xFFFFFFF) + (child[0] | child[1] << 1 | child[2] << 2)
+        u = [(q[axis] - F32(i[axis] >> shift << shift)) * F32(2.0**-shift) for axis in AXES]
+        return self.nodes[index] & 0xFFFFFFF, self.depth - shift, child, u
+
+    def leaf_at(self, c):
+        """The derivatives at the corners of the leaf, its edge, and the local coordinates of the point."""
+        start, level, octant, u = self.locate(c)
+        edge = self.root_edge * 2.0**-level
+        return Block(self, start).corners(octant, level, edge, self.quantum * 2.0**-level), edge, u
+
+    def tolerances(self, point):
+        """What another reader may differ by, in the distance and in each component of the gradient."""
+        if not all(map(math.isfinite, point)):
+            return 0.0, 2.0**-20
+        c = self.nearest_in_box(point)
+        corners, edge, _ = self.leaf_at(c)
+        largest = max(abs(float(x)) for corner in corners.values() for x in corner)
+        length = math.dist(point, c)
+        if length > 0:
+            return 2.0**-19 * (largest + length), 2.0**-20
+        return 2.0**-19 * largest, 2.0**-16 * largest / float(edge)
+
+    def nearest_in_box(self, p):
+        return [min(max(p[axis], self.box_min[axis]), self.box_max[axis]) for axis in AXES]
+
+    def inside(self, c):
+        corners, edge, u = self.leaf_at(c)
+        weights = self.value_weights(u)
+        value = interpolate(corners, weights)
+        inverse = 1 / edge
+        gradient = []
+        for axis in AXES:
+            along = list(weights)
+            along[axis] = self.slope_weights(u[axis])
+            gradient.append(interpolate(corners, along) * inverse)
+        return value, gradient
+
+    def value_weights(self, u):
+        """§9.3, §9.4: along each axis v0, v1, s0, s1."""
+        weights = []
+        for t in u:
+            if self.interpolant == TRILINEAR:
+                weights.append((1 - t, t, F32(0), F32(0)))
+            else:
+                v1 = t * t * (3 - 2 * t)
+                weights.append((1 - v1, v1, t * ((1 - t) * (1 - t)), -(t * t) * (1 - t)))
+        return weights
+
+    def slope_weights(self, t):
+        if self.interpolant == TRILINEAR:
+            return F32(-1), F32(1), F32(0), F32(0)
+        v1 = 6 * t * (1 - t)
+        return -v1, v1, (1 - t) * (1 - 3 * t), t * (3 * t - 2)
+
+
+def words(data):
+    return struct.unpack(f"<{len(data) // 4}I", data)
+
+
+# ---- §7 Sample blocks ------------------------------------------------------------------------------------------------
+
+CORNERS = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
+
+# Derivatives at a corner are lists of eight, indexed by the axes that they are taken along: bit 0 for x, 1 for y, 2 for z.
+F, FX, FY, FXY, FZ, FXZ, FYZ, FXYZ = range(8)
+
+
+class Block:
+    """A sample block of an octree."""
+
+    def __init__(self, octree, start):
+        self.octree, self.samples, self.start = octree, octree.samples, start
+        first, second, base = self.samples[start : start + 3]
+        self.present, self.precision = first & 0x7FFFFFF, first >> 27 & 3
+        self.full = second & 0x7FFFFFF
+        self.base = base - (base >> 31 << 32)
+        self.is_tricubic = octree.interpolant == TRICUBIC
+
+    def has(self, place):
+        return self.present >> bit_number(place) & 1 == 1
+
+    def implies(self, place):
+        """§7.3."""
+        middles = [axis for axis in AXES if place[axis] == 1]
+        if self.has(place) or len(middles) not in (1, 2):
+            return False
+        ends = [with_ends(place, middles, mask) for mask in range(2 ** len(middles))]
+        edges = [with_ends(place, [axis], mask) for axis in middles for mask in range(2)] if len(middles) == 2 else []
+        return all(map(self.has, ends)) and not any(map(self.has, edges))
+
+    # ---- §7.2 Sample data ----
+
+    def sample_words(self):
+        """Words of a tricubic sample and of a full one."""
+        return {PACKED32: (1, 4), F16: (2, 4), FULL_F32: (4, 8)}[self.precision]
+
+    def length(self):
+        """Words of the block."""
+        count = self.present.bit_count() if hasattr(int, "bit_count") else bin(self.present).count("1")
+        if self.is_tricubic:
+            short, long = self.sample_words()
+            return 3 + short * count + (long - short) * bin(self.full).count("1")
+        return 3 + (count if self.precision == FULL_F32 else (count + 1) // 2)
+
+    def sample_at(self, bit):
+        """The words of a tricubic sample, or the code or word of a trilinear one, and whether it is full."""
+        below = (1 << bit) - 1
+        rank = bin(self.present & below).count("1")
+        if self.is_tricubic:
+            short, long = self.sample_words()
+            at = self.start + 3 + rank * short + bin(self.full & below).count("1") * (long - short)
+            is_full = self.full >> bit & 1 == 1
+            return self.samples[at : at + (long if is_full else short)], is_full
+        if self.precision == FULL_F32:
+            return self.samples[self.start + 3 + rank], False
+        return self.samples[self.start + 3 + rank // 2] >> 16 * (rank % 2) & 0xFFFF, False
+
+    def check_samples(self):
+        """§8: the codes and the numbers of every sample."""
+        bits = [bit for bit in range(27) if self.present >> bit & 1]
+        for bit in bits:
+            data, is_full = self.sample_at(bit)
+            if not self.is_tricubic:
+                if self.precision == FULL_F32:
+                    require(abs(from_bits(data)) <= MAX_MAGNITUDE, "SampleValue")
+            elif self.precision == FULL_F32:
+                require(all(abs(from_bits(word)) <= MAX_MAGNITUDE for word in data), "SampleValue")
+            elif self.precision == PACKED32 and not is_full:
+                require(data[0] & 0x3FF != 0x3FF and data[0] >> 10 & 0x3FF != 0x3FF, "GradientCode")
+            else:
+                require(all(math.isfinite(half(bits)) for bits in halves(data)[1:]), "SampleValue")
+        if not self.is_tricubic and self.precision != FULL_F32 and len(bits) % 2 == 1:
+            require(self.samples[self.start + self.length() - 1] >> 16 == 0, "Reserved")
+
+    # ---- §8 Sample codec ----
+
+    def decode(self, place, edge, q):
+        """Distance and derivatives by the leaf's local coordinates of a sample."""
+        data, is_full = self.sample_at(bit_number(place))
+        if not self.is_tricubic:
+            if self.precision == FULL_F32:
+                return [from_bits(data)]
+            return [F32(16 * self.base + data) * (q * 0.0625)]
+        if self.precision == PACKED32 and not is_full:
+            distance = F32(self.base + (data[0] >> 20)) * q
+            numbers = octahedral(data[0] & 0x3FF, data[0] >> 10 & 0x3FF)
+        elif self.precision == FULL_F32:
+            distance, *numbers = map(from_bits, data)
+        else:
+            code, *parts = halves(data)
+            distance, numbers = F32(16 * self.base + code) * (q * 0.0625), [half(bits) for bits in parts]
+        fx, fy, fz, fxy, fxz, fyz, fxyz = [x * edge for x in numbers] + [F32(0)] * (0 if is_full else 4)
+        return [distance, fx, fy, fxy, fz, fxz, fyz, fxyz]
+
+    def corners(self, octant, level, edge, q):
+        """The derivatives at the eight corners of the leaf that is that octant of its parent."""
+        decoded, implied = {}, []
+        for corner in CORNERS:
+            place = tuple(octant[axis] + corner[axis] for axis in AXES)
+            if level > 0 and self.implies(place):
+                implied.append((corner, place))
+                place = tuple(2 * x for x in corner)
+            decoded[corner] = self.decode(place, edge, q)
+
+        for axis in AXES:
+            for corner, place in implied:
+                if place[axis] == 1:
+                    near = decoded[corner[:axis] + (0,) + corner[axis + 1 :]]
+                    far = decoded[corner[:axis] + (1,) + corner[axis + 1 :]]
+                    decoded[corner] = self.middle(near, far, axis)
+        return decoded
+
+    def middle(self, near, far, axis):
+        """§7.3: the middle of the cubic along an edge of the parent."""
+        if not self.is_tricubic:
+            return [0.5 * (near[0] + far[0])]
+        result = [None] * 8
+        for f in range(8):
+            if not f >> axis & 1:
+                slope = f | 1 << axis
+                result[f] = 0.5 * (near[f] + far[f]) + 0.25 * (near[slope] - far[slope])
+                result[slope] = 0.75 * (far[f] - near[f]) - 0.25 * (near[slope] + far[slope])
+        return result
+
+
+def bit_number(place):
+    return place[0] + 3 * place[1] + 9 * place[2]
+
+
+def with_ends(place, axes, mask):
+    """The place with 0 or 2, as the bits of the mask say, along the axes."""
+    changed = list(place)
+    for number, axis in enumerate(axes):
+        changed[axis] = 2 * (mask >> number & 1)
+    return tuple(changed)
+
+
+def halves(data):
+    return [part for word in data for part in (word & 0xFFFF, word >> 16)]
+
+
+# ---- §8.3 Octahedral code --------------------------------------------------------------------------------------------
+
+STEP = from_bits(0x3B004020)
+SEED = [F32(x) for x in (2.8898656, 4.8495786, 4.646499, 1.6896812)]
+
+
+def octahedral(code_x, code_y):
+    x = F32(code_x - 511) * STEP
+    y = F32(code_y - 511) * STEP
+    z = 1 - abs(x) - abs(y)
+    t = -z if z < 0 else F32(0)
+    x = x - math.copysign(t, x)
+    y = y - math.copysign(t, y)
+    r = rsqrt(x * x + y * y + z * z)
+    return [x * r, y * r, z * r]
+
+
+def rsqrt(s):
+    seed = SEED[0] - s * (SEED[1] - s * (SEED[2] - s * SEED[3]))
+    h = 0.5 * s
+    coarse = seed * (1.5 - h * (seed * seed))
+    return coarse + coarse * (0.5 - h * (coarse * coarse))
+
+
+# ---- §9.3 Interpolation ----------------------------------------------------------------------------------------------
+
+
+def blend(weights, a0, a1, b0, b1):
+    v0, v1, s0, s1 = weights
+    return (a0 * v0 + a1 * v1) + (b0 * s0 + b1 * s1)
+
+
+def interpolate(corners, weights):
+    """The eight corners to one number: along x, then y, then z."""
+    along_x, along_y, along_z = weights
+    if len(corners[0, 0, 0]) == 1:
+        zero = F32(0)
+        edges = {(j, k): blend(along_x, *(corners[i, j, k][0] for i in (0, 1)), zero, zero) for j in (0, 1) for k in (0, 1)}
+        sides = [blend(along_y, edges[0, k], edges[1, k], zero, zero) for k in (0, 1)]
+        return blend(along_z, *sides, zero, zero)
+
+    def along(weights, f, slope, low, high):
+        return blend(weights, low[f], high[f], low[slope], high[slope])
+
+    edges = {
+        (j, k): {f: along(along_x, f, f | FX, corners[0, j, k], corners[1, j, k]) for f in (F, FY, FZ, FYZ)}
+        for j in (0, 1)
+        for k in (0, 1)
+    }
+    sides = [{f: along(along_y, f, f | FY, edges[0, k], edges[1, k]) for f in (F, FZ)} for k in (0, 1)]
+    return along(along_z, F, FZ, *sides)
+
+
+FAMILIES = {2: Octree}
+
+# ---- The command line ------------------------------------------------------------------------------------------------
+
+
+def read_bytes(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def verdict(path):
+    try:
+        open_field(read_bytes(path)).validate()
+        return "valid"
+    except Invalid as error:
+        return str(error)
+
+
+def query(field_path, points_path, out_path):
+    field = open_field(read_bytes(field_path))
+    field.validate()
+    with open(out_path, "wb") as out:
+        for point in struct.iter_unpack("<3f", read_bytes(points_path)):
+            distance, gradient = field.distance_and_gradient(point)
+            out.write(struct.pack("<4f", distance, *gradient))
+
+
+def chosen_points(field):
+    """Points that tell readers apart: corners, faces and insides of cells, outside, far outside, and no points at all."""
+    low, high = field.box_min, field.box_max
+    state = 1
+
+    def between(axis, start=0.0, end=1.0):
+        nonlocal state
+        state = state * 6364136223846793005 + 1442695040888963407 & 0xFFFFFFFFFFFFFFFF
+        t = start + (end - start) * (state >> 40) / 2**24
+        return float(low[axis]) + t * (float(high[axis]) - float(low[axis]))
+
+    yield [low[0], low[1], low[2]]
+    yield [high[0], high[1], high[2]]
+    yield [high[0], low[1], between(2)]
+    for parts in (2, 4, 8):
+        yield [float(low[axis]) + (float(high[axis]) - float(low[axis])) / parts for axis in AXES]
+    for _ in range(24):
+        yield [between(axis) for axis in AXES]
+    # Near the least corner, where the deepest leaves of the vectors are.
+    for power in range(2, 18, 3):
+        yield [between(axis, 0.0, 0.5**power) for axis in AXES]
+    for _ in range(4):
+        yield [between(axis, -2.0, 3.0) for axis in AXES]
+    yield [between(0), between(1), float(high[2]) * 4 + 1]
+    yield [3.0e38, -3.0e38, 3.0e38]
+    yield [math.inf, 0.0, -math.inf]
+    yield [0.0, NAN, 0.0]
+
+
+def expectation(path):
+    """The answers at chosen points; what JSON cannot say is a string."""
+    field = open_field(read_bytes(path))
+    field.validate()
+
+    def numbers(values):
+        return [float(x) if math.isfinite(x) else str(float(x)) for x in values]
+
+    lines = []
+    for point in chosen_points(field):
+        point = [F32(x) for x in point]
+        distance, gradient = field.distance_and_gradient(point)
+        tolerances = field.tolerances(point)
+        answer = {"point": numbers(point), "distance": numbers([distance])[0], "gradient": numbers(gradient)}
+        answer.update(distance_tolerance=tolerances[0], gradient_tolerance=tolerances[1])
+        lines.append(json.dumps(answer))
+    return "[\n" + ",\n".join(lines) + "\n]\n"
+
+
+def main(arguments):
+    command, *paths = arguments or [""]
+    if command == "check" and paths:
+        for path in paths:
+            print(verdict(path), path)
+    elif command == "query" and len(paths) == 3:
+        query(*paths)
+    elif command == "expect" and paths:
+        for path in paths:
+            sys.stdout.write(expectation(path))
+    else:
+        sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

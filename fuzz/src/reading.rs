@@ -1,0 +1,101 @@
+//! No bytes and no point hurt the reader.
+
+use crate::structure::repair;
+use nearfield::Field;
+
+/// Leaves to look at: a damaged tree may have more than anyone can wait for.
+const MOST_LEAVES: usize = 200;
+
+/// Any bytes, and the same with checksums made right: the reader neither panics nor answers a finite point with anything
+/// but finite numbers.
+pub fn open_and_query(bytes: &[u8]) {
+    structure_aware(bytes);
+    let mut repaired = bytes.to_vec();
+    repair(&mut repaired);
+    structure_aware(&repaired);
+}
+
+/// A file as it is, which the target's mutator leaves with the right checksums.
+pub fn structure_aware(bytes: &[u8]) {
+    if let Ok(field) = Field::open(bytes) {
+        let is_valid = field.validate().is_ok();
+        let leaves = query(&field, bytes);
+        if let Some(octree) = field.octree()
+            && is_valid
+            && leaves < MOST_LEAVES
+        {
+            assert_eq!(leaves, octree.leaf_count() as usize, "leaves of a valid tree");
+        }
+    }
+}
+
+/// What passes validation answers the same alone and in batches, and every leaf within its box.
+pub fn validate_then_query(bytes: &[u8]) {
+    let mut repaired = bytes.to_vec();
+    repair(&mut repaired);
+    let Ok(field) = Field::open(&repaired) else { return };
+    if field.validate().is_err() {
+        return;
+    }
+    query(&field, &repaired);
+
+    let points: Vec<[f32; 3]> = points(&field, &repaired).collect();
+    let (mut distances, mut gradients) = (vec![0.0; points.len()], vec![[0.0; 3]; points.len()]);
+    assert_eq!(field.distances_and_gradients(&points, &mut distances, &mut gradients), points.len());
+    for ((&point, distance), gradient) in points.iter().zip(&distances).zip(&gradients) {
+        let (alone, gradient_alone) = field.distance_and_gradient(point);
+        assert_eq!(alone.to_bits(), distance.to_bits(), "at {point:?}");
+        assert_eq!(gradient_alone.map(f32::to_bits), gradient.map(f32::to_bits), "at {point:?}");
+    }
+
+    let Some(octree) = field.octree() else { return };
+    let lattice = octree.lattice();
+    for leaf in octree.leaves().take(MOST_LEAVES) {
+        assert!((0..3).all(|axis| leaf.cell[axis] + leaf.edge <= lattice[axis]), "{leaf:?} exceeds {lattice:?}");
+        assert_eq!(octree.leaf_at(leaf.cell), leaf);
+    }
+}
+
+/// Queries at many points; answers the number of leaves that it looked at.
+fn query(field: &Field<'_>, bytes: &[u8]) -> usize {
+    for point in points(field, bytes) {
+        check(field, point);
+    }
+    if let Some(grid) = field.grid() {
+        let last = grid.resolution().map(|samples| samples - 2);
+        for cell in [[0; 3], last, [u32::MAX; 3]] {
+            let (distance, gradient) = grid.evaluate(cell, [0.0, 0.5, 1.0]);
+            assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()), "{cell:?}");
+        }
+    }
+    let Some(octree) = field.octree() else { return 0 };
+    let finite = |leaf| {
+        let (distance, gradient) = octree.evaluate(&leaf, [0.0, 0.5, 1.0]);
+        assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()), "{leaf:?}");
+    };
+    octree.leaves().take(MOST_LEAVES).map(finite).count()
+}
+
+/// Points from the last words of a file: as they are, and scaled into the box.
+fn points(field: &Field<'_>, bytes: &[u8]) -> impl Iterator<Item = [f32; 3]> {
+    let bounds = field.header().bounds;
+    let numbers = bytes.as_chunks::<4>().0.iter().rev().map(|word| f32::from_le_bytes(*word));
+    let wild: Vec<f32> = numbers.take(30).collect();
+    let within = move |point: [f32; 3]| {
+        [0, 1, 2].map(|axis| {
+            let (min, max) = (bounds.min[axis], bounds.max[axis]);
+            min + point[axis].to_bits() as f32 / u32::MAX as f32 * (max - min)
+        })
+    };
+    let wild = wild.as_chunks::<3>().0.to_vec();
+    wild.into_iter().flat_map(move |point| [point, within(point)])
+}
+
+fn check(field: &Field<'_>, point: [f32; 3]) {
+    let (distance, gradient) = field.distance_and_gradient(point);
+    assert_eq!(distance.to_bits(), field.distance(point).to_bits(), "at {point:?}");
+    if point.iter().all(|coordinate| coordinate.is_finite()) {
+        assert!(distance.is_finite(), "{distance} at {point:?}");
+        assert!(gradient.iter().all(|component| component.is_finite()), "at {point:?}");
+    }
+}

@@ -1,0 +1,171 @@
+//! From the words of a grid's samples to polynomials.
+
+use crate::grid::{Grid, GridPrecision};
+use crate::hermite::{Corners, Jets};
+use crate::layout::packed_sample;
+use crate::polynomial::{Polynomial, SECOND, TERMS, THIRD};
+use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
+
+/// Number of the first coefficient of degree 2, and of degree 3.
+const SECOND_FIRST: usize = 4;
+const THIRD_FIRST: usize = 10;
+
+/// First-order samples at the corners of a cell: distances, and derivatives by the local x, y, z.
+pub(crate) struct FirstOrder {
+    pub(crate) distance: Corners,
+    pub(crate) gradient: [Corners; 3],
+}
+
+impl FirstOrder {
+    /// The same with mixed derivatives of zero.
+    #[inline]
+    pub(crate) fn jets(&self) -> Jets {
+        let [by_x, by_y, by_z] = &self.gradient;
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner: usize| {
+            // Counting derivations 4 x + 2 y + z.
+            [self.distance[corner], by_z[corner], by_y[corner], 0.0, by_x[corner], 0.0, 0.0, 0.0]
+        })
+    }
+}
+
+impl Grid<'_> {
+    /// The vertex at corner `4 x + 2 y + z` of a cell.
+    #[inline]
+    pub(crate) fn corner([x, y, z]: [u32; 3], corner: u32) -> [u32; 3] {
+        [x + (corner >> 2 & 1), y + (corner >> 1 & 1), z + (corner & 1)]
+    }
+
+    /// The distances at the corners of a cell of a grid of order 0.
+    #[inline]
+    pub(crate) fn distances(&self, cell: [u32; 3]) -> Corners {
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
+            let at = Self::corner(cell, corner);
+            self.lone_distance(at)
+        })
+    }
+
+    /// The distance of a sample of order 0.
+    #[inline]
+    fn lone_distance(&self, at: [u32; 3]) -> f32 {
+        let index = self.index(at);
+        if self.precision == GridPrecision::F32 {
+            return decode_single(self.samples.word(index));
+        }
+        let code = self.samples.word(index / 2) >> (16 * (index & 1)) & 0xFFFF;
+        decode_distance(self.base(at), code, self.quantum)
+    }
+
+    /// The samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
+    #[inline]
+    pub(crate) fn first_order(&self, cell: [u32; 3]) -> FirstOrder {
+        if self.precision == GridPrecision::Packed32 {
+            return self.packed_first_order(cell);
+        }
+        let mut corners = FirstOrder { distance: Corners::default(), gradient: [Corners::default(); 3] };
+        for corner in 0..8 {
+            let Polynomial([distance, x, y, z, ..]) = self.polynomial(Self::corner(cell, corner));
+            // The mask shows the compiler that no index can fail.
+            let corner = corner as usize & 7;
+            corners.distance[corner] = distance;
+            corners.gradient[0][corner] = x;
+            corners.gradient[1][corner] = y;
+            corners.gradient[2][corner] = z;
+        }
+        corners
+    }
+
+    /// The same of packed samples: one plain loop over words, which compilers turn into vectors.
+    #[inline]
+    fn packed_first_order(&self, cell: [u32; 3]) -> FirstOrder {
+        let [nx, ny, _] = self.resolution();
+        let (row, layer) = (nx as usize, nx as usize * ny as usize);
+        let first = self.index(cell);
+        // Corners 4 x + 2 y + z: neighbours along x are neighbours in the section.
+        let [a, e] = self.samples.words(first);
+        let [c, g] = self.samples.words(first + row);
+        let [b, f] = self.samples.words(first + layer);
+        let [d, h] = self.samples.words(first + layer + row);
+        let words: [u32; 8] = [a, b, c, d, e, f, g, h];
+        let bases = self.bases_of(cell);
+
+        let mut distance = Corners::default();
+        let mut gradient = [Corners::default(); 3];
+        let [scale_x, scale_y, scale_z] = self.spacing();
+        for (corner, (&word, &base)) in words.iter().zip(&bases).enumerate() {
+            let code = word >> packed_sample::DISTANCE_SHIFT;
+            distance[corner] = decode_distance(base, code, self.quantum);
+            let [x, y, z] = decode_gradient(word);
+            gradient[0][corner] = x * scale_x;
+            gradient[1][corner] = y * scale_y;
+            gradient[2][corner] = z * scale_z;
+        }
+        FirstOrder { distance, gradient }
+    }
+
+    /// The base distances at the corners of a cell.
+    #[inline]
+    fn bases_of(&self, cell: [u32; 3]) -> [i32; 8] {
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.base(Self::corner(cell, corner)))
+    }
+
+    /// The samples at the corners of a cell, of any order.
+    pub(crate) fn polynomials(&self, cell: [u32; 3]) -> [Polynomial; 8] {
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.polynomial(Self::corner(cell, corner)))
+    }
+
+    /// A sample of any order (SPEC.md §11.3).
+    pub(crate) fn polynomial(&self, at: [u32; 3]) -> Polynomial {
+        let mut numbers = [0.0; TERMS];
+        let index = self.index(at);
+        let count = match self.order() {
+            0 => {
+                numbers[0] = self.lone_distance(at);
+                return Polynomial(numbers);
+            }
+            1 => SECOND_FIRST,
+            2 => THIRD_FIRST,
+            _ => TERMS,
+        };
+
+        // Numbers as stored.
+        let data = self.samples.tail(index * (self.halves_per_sample() / 2) as usize);
+        let half = |place: usize| decode_half((data.word(place / 2) >> (16 * (place & 1))) as u16);
+        let distance = |code: u32| decode_distance(self.base(at), code, self.quantum);
+        match self.precision {
+            GridPrecision::F32 => {
+                for (place, number) in numbers.iter_mut().enumerate().take(count) {
+                    *number = decode_single(data.word(place));
+                }
+            }
+            GridPrecision::F16 => {
+                numbers[0] = distance(data.word(0) & 0xFFFF);
+                for (place, number) in numbers.iter_mut().enumerate().take(count).skip(1) {
+                    *number = half(place);
+                }
+            }
+            GridPrecision::Packed32 => {
+                let word = data.word(0);
+                numbers[0] = distance(word >> packed_sample::DISTANCE_SHIFT);
+                [numbers[1], numbers[2], numbers[3]] = decode_gradient(word);
+                for (place, number) in numbers.iter_mut().enumerate().take(count).skip(SECOND_FIRST) {
+                    *number = half(place - SECOND_FIRST + 2);
+                }
+            }
+        }
+
+        // To local coordinates.
+        let spacing = self.spacing();
+        let unit = self.unit();
+        let ratio = spacing.map(|spacing| spacing / unit);
+        for (number, spacing) in numbers[1..SECOND_FIRST].iter_mut().zip(spacing) {
+            *number *= spacing;
+        }
+        for (number, [a, b]) in numbers[SECOND_FIRST..THIRD_FIRST].iter_mut().zip(SECOND) {
+            *number *= spacing[a] * ratio[b];
+        }
+        for (number, [a, b, c]) in numbers[THIRD_FIRST..].iter_mut().zip(THIRD) {
+            *number *= spacing[a] * ratio[b] * ratio[c];
+        }
+        Polynomial(numbers)
+    }
+}

@@ -1,0 +1,115 @@
+use crate::vectors::{folder, manifest, names, read};
+use nearfield::{Error, Field};
+use serde::Deserialize;
+
+/// An answer as stored beside a vector: what JSON cannot say is a string.
+#[derive(Deserialize)]
+struct Answer {
+    point: [Number; 3],
+    distance: Number,
+    gradient: [Number; 3],
+    distance_tolerance: f64,
+    gradient_tolerance: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Number {
+    Finite(f32),
+    Other(String),
+}
+
+impl Number {
+    fn value(&self) -> f32 {
+        match self {
+            Self::Finite(number) => *number,
+            Self::Other(name) => name.parse().expect("nan, inf or -inf"),
+        }
+    }
+}
+
+fn answers(name: &str) -> Vec<Answer> {
+    let path = folder("valid").join(name).with_extension("json");
+    let text = std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_slice(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn check(bytes: &[u8]) -> Result<(), Error> {
+    Field::open(bytes)?.validate()
+}
+
+#[test]
+fn valid_vectors_are_accepted() {
+    for name in names(&folder("valid")) {
+        assert_eq!(check(&read(&folder("valid"), &name)), Ok(()), "{name}");
+    }
+}
+
+#[test]
+fn valid_vectors_answer_as_expected() {
+    for name in names(&folder("valid")) {
+        let bytes = read(&folder("valid"), &name);
+        let field = Field::open(&bytes).expect("a field");
+        let answers = answers(&name);
+        assert!(answers.len() >= 40, "{name} has {} answers", answers.len());
+        for answer in answers {
+            let point = answer.point.each_ref().map(Number::value);
+            let (distance, gradient) = field.distance_and_gradient(point);
+            let place = format!("{name} at {point:?}");
+            assert_close(distance, answer.distance.value(), answer.distance_tolerance, &place);
+            for (component, expected) in gradient.into_iter().zip(answer.gradient) {
+                assert_close(component, expected.value(), answer.gradient_tolerance, &place);
+            }
+
+            // What the specification defines to the bit, this reader gives to the bit.
+            let bounds = field.header().bounds;
+            if (0..3).all(|axis| (bounds.min[axis]..=bounds.max[axis]).contains(&point[axis])) {
+                assert_eq!(distance.to_bits(), answer.distance.value().to_bits(), "{place}");
+            }
+        }
+    }
+}
+
+fn assert_close(answer: f32, expected: f32, tolerance: f64, place: &str) {
+    let is_same = answer == expected || answer.is_nan() && expected.is_nan();
+    let is_close = (f64::from(answer) - f64::from(expected)).abs() <= tolerance;
+    assert!(is_same || is_close, "{place}: {answer} instead of {expected}");
+}
+
+#[test]
+fn invalid_vectors_are_refused_for_their_reason() {
+    let manifest = manifest();
+    for name in names(&folder("invalid")) {
+        let error = check(&read(&folder("invalid"), &name)).expect_err(&name);
+        assert_eq!(format!("{error:?}"), manifest[&name], "{name}");
+    }
+}
+
+#[test]
+fn every_error_has_a_name_and_a_vector() {
+    let specification = include_str!("../format-spec/SPEC.md");
+    let source = include_str!("../runtime/src/error.rs");
+    let (_, variants) = source.split_once("pub enum Error {").expect("the errors");
+    let (variants, _) = variants.split_once("\n}").expect("their end");
+    let variants = variants.lines().filter_map(|line| line.trim().strip_suffix(','));
+    let manifest = manifest();
+    let mut count = 0;
+    for variant in variants.filter(|line| line.chars().all(char::is_alphanumeric)) {
+        // Grids have rules but no vectors yet.
+        let has_vector = manifest.values().any(|error| error == variant);
+        assert!(has_vector || variant.starts_with("Grid"), "no vector for {variant}");
+        assert!(specification.contains(&format!("| `{variant}` |")), "§12 does not name {variant}");
+        count += 1;
+    }
+    assert!(count > 30, "{count} errors");
+}
+
+#[test]
+fn every_truncation_of_every_vector_is_refused() {
+    for name in names(&folder("valid")) {
+        let bytes = read(&folder("valid"), &name);
+        for length in 0..bytes.len() {
+            assert!(Field::open(&bytes[..length]).is_err(), "{length} bytes of {name}");
+        }
+    }
+}
