@@ -583,7 +583,8 @@ ORDERS = {NEAREST: (0, 1, 2, 3), LINEAR: (0, 1, 2, 3), HALF: (1, 2, 3), BLEND: (
 # §11.3: the powers of x, y and z of each coefficient, and how many of them a sample of each order has.
 MONOMIALS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 MONOMIALS += [(2, 0, 0), (0, 2, 0), (0, 0, 2), (1, 1, 0), (1, 0, 1), (0, 1, 1)]
-MONOMIALS += [(3, 0, 0), (0, 3, 0), (0, 0, 3), (2, 1, 0), (2, 0, 1), (1, 2, 0), (1, 0, 2), (0, 2, 1), (0, 1, 2), (1, 1, 1)]
+MONOMIALS += [(3, 0, 0), (0, 3, 0), (0, 0, 3), (2, 1, 0), (2, 0, 1)]
+MONOMIALS += [(1, 2, 0), (1, 0, 2), (0, 2, 1), (0, 1, 2), (1, 1, 1)]
 COEFFICIENTS = (1, 4, 10, 20)
 
 
