@@ -1,7 +1,9 @@
 //! Bakes triangle meshes into Nearfield signed distance fields.
 
 mod bake;
+pub mod batch;
 pub mod corner;
+pub mod depfile;
 pub mod distance;
 pub mod encode;
 pub mod field_function;

@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 use tempfile::NamedTempFile;
 
 /// A file that appears under its name only once it is complete.
@@ -88,6 +89,19 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.commit()
 }
 
+/// Writes a whole file, unless it is there already and holds these bytes. Returns whether it was written.
+///
+/// # Errors
+/// As [`write`].
+pub fn write_if_changed(path: &Path, bytes: &[u8]) -> io::Result<bool> {
+    // The length first: another length is another content, and nothing need be read.
+    let same_length = fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == bytes.len() as u64);
+    if same_length && fs::read(path).is_ok_and(|existing| existing == bytes) {
+        return Ok(false);
+    }
+    write(path, bytes).map(|()| true)
+}
+
 /// Whether `path` could be written now: asked before the hours of work, not after.
 ///
 /// # Errors
@@ -95,6 +109,26 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 pub fn check_writable(path: &Path) -> io::Result<()> {
     OutputFile::create(path).map(drop)
 }
+
+/// Removes the temporary files that killed processes left in a folder: those of this program that nobody has written to
+/// for an hour. What cannot be removed stays.
+pub fn sweep(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let is_ours = entry.file_name().as_encoded_bytes().starts_with(TEMPORARY.as_bytes());
+        let modified = entry.metadata().and_then(|file| file.modified()).ok();
+        let age = modified.and_then(|modified| modified.elapsed().ok()).unwrap_or_default();
+        if is_ours && entry.file_type().is_ok_and(|kind| kind.is_file()) && age >= ABANDONED {
+            // Another process may have been faster.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// How the names of temporary files begin.
+const TEMPORARY: &str = ".nearfield-temporary-";
+/// A temporary file lives for as long as its bytes take to write.
+const ABANDONED: Duration = Duration::from_secs(3600);
 
 fn folder_of(path: &Path) -> &Path {
     match path.parent() {
@@ -106,7 +140,7 @@ fn folder_of(path: &Path) -> &Path {
 /// Temporary files are private by default; this one becomes an ordinary file, so the umask decides.
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".nearfield-");
+    builder.prefix(TEMPORARY);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -151,6 +185,35 @@ mod tests {
 
         assert_eq!(fs::read(&path).expect("the new file"), b"new");
         assert_eq!(entries(folder.path()), ["field.nfd"]);
+    }
+
+    #[test]
+    fn the_same_bytes_are_not_written_again() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("field.nfd");
+        let modified = || fs::metadata(&path).and_then(|file| file.modified()).expect("a time");
+
+        assert!(write_if_changed(&path, b"old").expect("the first write"));
+        let before = modified();
+        assert!(!write_if_changed(&path, b"old").expect("no write"));
+        assert_eq!(modified(), before);
+        assert!(write_if_changed(&path, b"new").expect("the second write"));
+        assert_eq!(fs::read(&path).expect("the new file"), b"new");
+    }
+
+    #[test]
+    fn abandoned_temporary_files_are_swept_and_nothing_else() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let old = std::time::SystemTime::now() - 2 * ABANDONED;
+        for (name, modified) in [("field.nfd", old), (".nearfield-temporary-old", old), (".nearfield-cache", old)] {
+            let file = File::create(folder.path().join(name)).expect("a file");
+            file.set_modified(modified).expect("its time");
+        }
+        File::create(folder.path().join(".nearfield-temporary-new")).expect("a file");
+
+        sweep(folder.path());
+
+        assert_eq!(entries(folder.path()), [".nearfield-cache", ".nearfield-temporary-new", "field.nfd"]);
     }
 
     #[test]

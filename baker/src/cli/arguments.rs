@@ -3,6 +3,7 @@
 use super::exit_code::Failure;
 use clap::{Args, ValueEnum};
 use nearfield_bake::distance::SignChoice;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZeroUsize;
 use std::str::FromStr;
 
@@ -17,12 +18,16 @@ pub(super) struct Threads {
 impl Threads {
     /// Runs `work` on that many threads.
     pub(super) fn run<R: Send>(self, work: impl FnOnce() -> Result<R, Failure> + Send) -> Result<R, Failure> {
+        self.pool()?.install(work)
+    }
+
+    /// That many threads.
+    pub(super) fn pool(self) -> Result<ThreadPool, Failure> {
         let threads = self.threads.map_or(0, NonZeroUsize::get);
-        rayon::ThreadPoolBuilder::new()
+        ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|error| Failure::Usage(format!("cannot start {threads} threads ({error}): ask for fewer")))?
-            .install(work)
+            .map_err(|error| Failure::Usage(format!("cannot start {threads} threads ({error}): ask for fewer")))
     }
 }
 

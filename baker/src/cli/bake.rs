@@ -5,11 +5,14 @@ use super::exit_code::Failure;
 use super::grid_arguments::GridArguments;
 use super::progress_bar::TerminalProgress;
 use super::{bake_report, files, print, tell, to_json};
-use clap::{Args, ValueEnum};
+use clap::{Args, FromArgMatches, ValueEnum};
 use nearfield::layout::octree::MAX_DEPTH;
+use nearfield_bake::batch::Asset;
+use nearfield_bake::depfile;
 use nearfield_bake::report::Stopwatch;
 use nearfield_bake::settings::{self, Settings, Target};
 use nearfield_bake::{BakeError, bake};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Bake a mesh into a field
@@ -23,7 +26,8 @@ Examples:
   nearfield bake spot.ply -o spot.nfd
   nearfield bake part.obj -o part.nfd --error-abs 0.05 --precision f16
   nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json
-  nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half")]
+  nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
+  nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed")]
 pub(super) struct Bake {
     /// The mesh: OBJ or PLY
     mesh: PathBuf,
@@ -82,6 +86,14 @@ pub(super) struct Bake {
     #[arg(long, value_name = "JSON")]
     report: Option<PathBuf>,
 
+    /// Write which files the field depends on, in the syntax of Make
+    #[arg(long, value_name = "FILE")]
+    depfile: Option<PathBuf>,
+
+    /// Do not touch a field that holds these very bytes already (for Ninja's restat)
+    #[arg(long)]
+    if_changed: bool,
+
     /// Print nothing but errors
     #[arg(short, long)]
     quiet: bool,
@@ -120,12 +132,7 @@ enum Precision {
 impl Bake {
     pub(super) fn run(self) -> Result<(), Failure> {
         let settings = self.settings()?;
-        if self.report.as_ref() == Some(&self.output) {
-            return Err(Failure::Usage("the field and the report cannot go to the same place".to_owned()));
-        }
-        for path in [Some(&self.output), self.report.as_ref()].into_iter().flatten() {
-            files::check_output(path, &self.mesh)?;
-        }
+        self.check_outputs()?;
 
         // Mesh to field.
         let progress = TerminalProgress::new(self.quiet);
@@ -140,7 +147,14 @@ impl Bake {
         progress.clear();
 
         // What was asked for.
-        files::write_bytes(&self.output, &baked.bytes)?;
+        if self.if_changed {
+            files::write_bytes_if_changed(&self.output, &baked.bytes)?;
+        } else {
+            files::write_bytes(&self.output, &baked.bytes)?;
+        }
+        if let Some(path) = &self.depfile {
+            files::write_bytes(path, self.dependencies()?.as_bytes())?;
+        }
         let stages = [reading, baked.report.stages.clone()].concat();
         let field = files::open_field(&baked.bytes, &self.output)?;
         if let Some(path) = &self.report {
@@ -163,8 +177,44 @@ impl Bake {
         print(&summary)
     }
 
+    /// The arguments of one asset of a batch, from its flags.
+    pub(super) fn of_asset(asset: &Asset) -> Result<Self, Failure> {
+        let command = clap::Command::new("bake").no_binary_name(true).disable_help_flag(true);
+        let flags = asset.flags.iter().map(OsStr::new);
+        let places = [asset.mesh.as_os_str(), OsStr::new("--output"), asset.field.as_os_str()];
+        Self::augment_args(command)
+            .try_get_matches_from(flags.chain(places))
+            .and_then(|matches| Self::from_arg_matches(&matches))
+            .map_err(|error| {
+                let text = error.to_string();
+                let reason = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
+                Failure::Usage(format!("{}: {reason}", asset.mesh.display()))
+            })
+    }
+
+    /// Refuses outputs that cannot be written, before work is spent on them.
+    fn check_outputs(&self) -> Result<(), Failure> {
+        let outputs: Vec<&PathBuf> =
+            [Some(&self.output), self.report.as_ref(), self.depfile.as_ref()].into_iter().flatten().collect();
+        for (index, path) in outputs.iter().enumerate() {
+            if outputs[..index].contains(path) {
+                return Err(Failure::Usage(format!("two outputs cannot both go to {}", path.display())));
+            }
+            files::check_output(path, &self.mesh)?;
+        }
+        self.dependencies().map(drop)
+    }
+
+    /// The text of the dependency file.
+    fn dependencies(&self) -> Result<String, Failure> {
+        if self.depfile.is_none() {
+            return Ok(String::new());
+        }
+        depfile::rule(&self.output, &[self.mesh.clone()]).map_err(|error| Failure::Usage(error.to_string()))
+    }
+
     /// The request that these arguments make.
-    fn settings(&self) -> Result<Settings, Failure> {
+    pub(super) fn settings(&self) -> Result<Settings, Failure> {
         let interpolant = match self.interpolant {
             Interpolant::Trilinear => settings::Interpolant::Trilinear,
             Interpolant::Auto | Interpolant::Tricubic => settings::Interpolant::Tricubic,
@@ -196,7 +246,7 @@ impl Bake {
     }
 }
 
-fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
+pub(super) fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
         BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),

@@ -7,7 +7,9 @@ use nearfield_bake::distance::SignMethod;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::report::{Report, Stage};
 use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
+use schemars::JsonSchema;
 use serde::Serialize;
+use std::fs;
 use std::path::Path;
 
 /// Version of the report's names and meanings.
@@ -85,7 +87,7 @@ pub(super) fn summary(
     text
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct BakeReport {
     schema: u32,
     mesh: MeshReport,
@@ -95,9 +97,11 @@ pub(super) struct BakeReport {
     /// Points at which the exact distance was sampled to build the field.
     samples: usize,
     stages: Vec<StageReport>,
+    /// The most memory that the process has held; absent where the operating system does not say.
+    peak_memory_bytes: Option<u64>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct MeshReport {
     path: String,
     triangles: usize,
@@ -113,7 +117,7 @@ struct MeshReport {
     components: usize,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct SettingsReport {
     error: f64,
     error_is_relative: bool,
@@ -123,9 +127,11 @@ struct SettingsReport {
     start_depth: u8,
     max_depth: u8,
     margin: f64,
+    /// Points at which the finished field is measured.
+    samples: u32,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct StageReport {
     name: &'static str,
     wall_seconds: f64,
@@ -182,6 +188,7 @@ pub(super) fn report(
             start_depth: settings.start_depth,
             max_depth: settings.max_depth,
             margin: settings.margin,
+            samples: settings.samples,
         },
         field: InfoReport::of(field),
         measured: (&report.measurement).into(),
@@ -194,5 +201,13 @@ pub(super) fn report(
                 cpu_seconds: stage.cpu.as_secs_f64(),
             })
             .collect(),
+        peak_memory_bytes: peak_memory(),
     }
+}
+
+/// What Linux counts as the high-water mark of resident memory.
+fn peak_memory() -> Option<u64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let kilobytes = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?.split_whitespace().next()?;
+    Some(kilobytes.parse::<u64>().ok()? * 1024)
 }

@@ -2,10 +2,11 @@
 
 use nearfield::{ErrorContract, ErrorStatistics};
 use nearfield_bake::verify::{ErrorDistribution, Measurement};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The contract of a field as JSON: mesh units.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct ContractReport {
     uniform: FiguresReport,
     band: FiguresReport,
@@ -14,7 +15,7 @@ pub(super) struct ContractReport {
     doubtful_signs: u32,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct FiguresReport {
     rmse: f64,
     p99: f64,
@@ -40,7 +41,7 @@ impl From<&ErrorStatistics> for FiguresReport {
 }
 
 /// A measurement as JSON: the contract, and what a header has no room for. Mesh units.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct MeasurementReport {
     #[serde(flatten)]
     contract: ContractReport,
@@ -52,7 +53,7 @@ pub(super) struct MeasurementReport {
     seam_gradient_rms: f64,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct SetReport {
     points: usize,
     mean_gradient_angle_degrees: f64,

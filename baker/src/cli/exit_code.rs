@@ -32,6 +32,14 @@ pub(super) enum Failure {
     /// The bytes are not a field.
     #[error("{0}")]
     Field(String),
+    /// Assets of a batch failed; the code is that of the first of them.
+    #[error("{message}")]
+    Assets {
+        /// What to say.
+        message: String,
+        /// Its code.
+        code: u8,
+    },
     /// The request does not fit the limits of the format or the machine.
     #[error("{0}")]
     Budget(String),
@@ -39,13 +47,19 @@ pub(super) enum Failure {
 
 impl Failure {
     pub(super) fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
+        ExitCode::from(self.code())
+    }
+
+    /// The number that `--help` lists.
+    pub(super) fn code(&self) -> u8 {
+        match self {
             Self::Verification(_) => 1,
             Self::Usage(_) => 2,
             Self::Input(_) => 3,
             Self::Output(_) => 4,
             Self::Field(_) => 5,
             Self::Budget(_) => 6,
-        })
+            Self::Assets { code, .. } => *code,
+        }
     }
 }

@@ -74,6 +74,14 @@ pub(super) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     outcome.map_err(|error| not_written(path, &error))
 }
 
+/// As [`write_bytes`], but a file that holds these bytes already stays untouched.
+pub(super) fn write_bytes_if_changed(path: &Path, bytes: &[u8]) -> Result<bool, Failure> {
+    if is_standard_stream(path) {
+        return write_bytes(path, bytes).map(|()| true);
+    }
+    output::write_if_changed(path, bytes).map_err(|error| not_written(path, &error))
+}
+
 /// Refuses a place that cannot be written, or that is `input` itself, before work is spent on what should go there.
 pub(super) fn check_output(path: &Path, input: &Path) -> Result<(), Failure> {
     if is_standard_stream(path) {

@@ -5,6 +5,7 @@ use super::exit_code::Failure;
 use super::{files, print, to_json};
 use clap::Args;
 use nearfield::{Continuity, Field, Grid, GridPrecision, Interpolant, Octree, Reconstruction, SignMethod};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -24,7 +25,7 @@ pub(super) struct Info {
     json: bool,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct InfoReport {
     schema: u32,
     version: [u16; 2],
@@ -46,7 +47,7 @@ pub(super) struct InfoReport {
     baker_version: String,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct OctreeReport {
     root_cells: [u32; 3],
     root_edge: f32,
@@ -54,11 +55,13 @@ struct OctreeReport {
     interpolant: &'static str,
     continuity: &'static str,
     leaves: u32,
+    /// Edge of the smallest leaves: walls thinner than this may be lost. Mesh units.
+    smallest_edge: f32,
     /// One entry a level, from the root cells down.
     leaves_by_level: Vec<u32>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct GridReport {
     resolution: [u32; 3],
     spacing: [f32; 3],
@@ -69,7 +72,7 @@ struct GridReport {
     quantum: f32,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct SectionReport {
     kind: String,
     offset: usize,
@@ -153,6 +156,7 @@ impl InfoReport {
             line("octree", format!("{}, continuity {}", octree.interpolant, octree.continuity));
             line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
             line("leaves", octree.leaves());
+            line("smallest", format!("{} (edge of the smallest leaves, mesh units)", octree.smallest_edge));
         }
         if let Some(grid) = &self.grid {
             line("grid", format!("order {}, {}, {}", grid.order, grid.reconstruction, grid.precision));
@@ -200,9 +204,16 @@ impl OctreeReport {
                 _ => "unknown",
             },
             leaves: octree.leaf_count(),
+            smallest_edge: smallest_edge(octree, &leaves_by_level),
             leaves_by_level,
         }
     }
+}
+
+/// Edge of the leaves of the deepest level that has any.
+fn smallest_edge(octree: &Octree<'_>, leaves_by_level: &[u32]) -> f32 {
+    let deepest = leaves_by_level.iter().rposition(|&leaves| leaves > 0).unwrap_or(0);
+    octree.edge(deepest as u8)
 }
 
 impl GridReport {

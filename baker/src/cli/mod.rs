@@ -3,14 +3,20 @@
 mod arguments;
 mod bake;
 mod bake_report;
+mod batch;
+mod batch_report;
 mod bench;
+mod diff;
 mod error_table;
 mod exit_code;
 mod files;
+mod generate;
 mod grid_arguments;
 mod info;
+mod mesh;
 mod progress_bar;
 mod query;
+mod render;
 mod slice;
 mod verify;
 
@@ -30,11 +36,16 @@ struct CommandLine {
 #[derive(Debug, Subcommand)]
 enum Command {
     Bake(bake::Bake),
+    Batch(batch::Batch),
     Info(info::Info),
     Query(query::Query),
     Verify(verify::Verify),
+    Diff(diff::Diff),
     Slice(slice::SliceCommand),
+    Render(render::RenderCommand),
+    Mesh(mesh::MeshCommand),
     Bench(bench::Bench),
+    Generate(generate::Generate),
 }
 
 /// Runs the command line of this process.
@@ -42,11 +53,16 @@ pub(crate) fn run() -> ExitCode {
     // Usage errors that the parser sees itself leave here, with the same code as ours.
     let outcome = match CommandLine::parse().command {
         Command::Bake(command) => command.run(),
+        Command::Batch(command) => command.run(),
         Command::Info(command) => command.run(),
         Command::Query(command) => command.run(),
         Command::Verify(command) => command.run(),
         Command::Slice(command) => command.run(),
         Command::Bench(command) => command.run(),
+        Command::Diff(command) => command.run(),
+        Command::Render(command) => command.run(),
+        Command::Mesh(command) => command.run(),
+        Command::Generate(command) => command.run(),
     };
 
     match outcome {

@@ -1,8 +1,14 @@
 //! Pictures of fields, for eyes: nothing here is exact.
 
+mod camera;
 mod colour;
 mod image;
+mod isosurface;
+mod render;
 mod slice;
 
+pub use camera::{Camera, Up};
 pub use image::Image;
+pub use isosurface::{Isosurface, isosurface};
+pub use render::{Render, Shading, Surface, render};
 pub use slice::{Axis, Position, Slice, slice};

@@ -1,11 +1,13 @@
 //! What a finished field is worth: the shipping reader's answers beside the truth.
 
 mod contradiction;
+mod difference;
 mod distribution;
 mod points;
 mod seams;
 
 pub use contradiction::{Contradiction, MIN_FRESH_SAMPLES, exceeds, refutes};
+pub use difference::{FieldDifference, compare};
 pub use distribution::ErrorDistribution;
 pub use seams::SeamStatistics;
 

@@ -1,0 +1,11 @@
+//! Many meshes at once: which there are, which have changed, and what was baked before.
+
+mod cache;
+mod change;
+mod manifest;
+mod shard;
+
+pub use cache::Cache;
+pub use change::{Change, Inputs, Reason, examine};
+pub use manifest::{Asset, Manifest, ManifestError};
+pub use shard::Shard;

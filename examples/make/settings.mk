@@ -1,0 +1,1 @@
+SETTINGS := --error 1e-3 --max-depth 5
