@@ -5,7 +5,8 @@ It is slow and shares nothing with the reader of this repository, so that a mist
 Section numbers refer to SPEC.md. Needs Python 3.9 and nothing else.
 
     reference_reader.py check FILE...                    one line a file: "valid", or the name of the rule it breaks (§12)
-    reference_reader.py query FILE POINTS.f32 OUT.f32    three f32 a point; distance and gradient, four f32 an answer
+    reference_reader.py query FILE POINTS.f32 OUT.f32    three f32 a point; distance, gradient, what another reader may
+                                                         differ by in the two: six f32 an answer
     reference_reader.py expect FILE...                   points and answers, as stored beside the vectors, in JSON
 """
 
@@ -76,6 +77,10 @@ MAX_DEPTH = 16
 MAX_LATTICE = 1048576
 MIN_BASE = -134217728
 MAX_BASE = 134213632
+MAX_ORDER = 3
+MIN_RESOLUTION = 2
+BRICK_EDGE = 4
+MAX_ANISOTROPY = 1024
 LARGEST = F32(3.4028234663852886e38)
 NAN = float("nan")
 
@@ -163,6 +168,58 @@ def read_container(data):
     return sections, (box_min, box_max), family
 
 
+# ---- §9 Queries of either family -------------------------------------------------------------------------------------
+
+
+class Field:
+    """A field in a box. Families give `inside`, the answer at a point of the box, and `magnitude_at`, M and L of §9."""
+
+    # Times M, and times M / L.
+    distance_tolerance, gradient_tolerance = 2.0**-19, 2.0**-16
+
+    def distance_and_gradient(self, point):
+        p = [F32(x) for x in point]
+        if any(map(math.isnan, p)):
+            return NAN, [NAN] * 3
+        if any(map(math.isinf, p)):
+            d = [math.copysign(1.0, x) if math.isinf(x) else 0.0 for x in p]
+            return math.inf, [F32(x / math.hypot(*d)) for x in d]
+        c = self.nearest_in_box(p)
+        value, gradient = self.inside(c)
+        if c == p:
+            return value, gradient
+        # Wider numbers neither overflow nor underflow here.
+        beyond = [float(p[axis]) - float(c[axis]) for axis in AXES]
+        length = math.hypot(*beyond)
+        return F32(min(float(value) + length, LARGEST)), [F32(x / length) for x in beyond]
+
+    def nearest_in_box(self, p):
+        return [min(max(p[axis], self.box_min[axis]), self.box_max[axis]) for axis in AXES]
+
+    def tolerances(self, point):
+        """What another reader may differ by, in the distance and in each component of the gradient."""
+        if not all(map(math.isfinite, point)):
+            return 0.0, 2.0**-20
+        c = self.nearest_in_box(point)
+        largest, edge = self.magnitude_at(c)
+        length = math.dist(point, c)
+        if length > 0:
+            return self.distance_tolerance * (largest + length), 2.0**-20
+        return self.distance_tolerance * largest, self.gradient_tolerance * largest / edge
+
+    def check_checksums(self):
+        for contents, checksum in self.sections.values():
+            require(crc32c(contents) == checksum, "SectionChecksum")
+
+    def check_box(self, counts, edges, rule):
+        """The box against so many edges along each axis, §5.4, §11.1."""
+        for axis in AXES:
+            extent = F32(counts[axis]) * edges[axis]
+            total = self.box_min[axis] + extent
+            largest = max(extent, abs(self.box_min[axis]), abs(self.box_max[axis]))
+            require(abs(self.box_max[axis] - total) <= BOX_TOLERANCE * largest, rule)
+
+
 # ---- §5 Octree parameters --------------------------------------------------------------------------------------------
 
 TRILINEAR, TRICUBIC = 0, 1
@@ -171,7 +228,7 @@ INNER, LEAF = 0, 1
 PACKED32, F16, FULL_F32 = 0, 1, 2
 
 
-class Octree:
+class Octree(Field):
     """The octree family, §5 to §8."""
 
     def __init__(self, sections, box_min, box_max):
@@ -192,11 +249,7 @@ class Octree:
         require(continuity in CONTINUITIES, "Continuity")
         require(MIN_ROOT_EDGE <= self.root_edge <= MAX_MAGNITUDE, "OctreeScale")
         require(MIN_QUANTUM <= self.quantum <= self.root_edge, "OctreeScale")
-        for axis in AXES:
-            extent = F32(self.root_cells[axis]) * self.root_edge
-            total = self.box_min[axis] + extent
-            largest = max(extent, abs(self.box_min[axis]), abs(self.box_max[axis]))
-            require(abs(self.box_max[axis] - total) <= BOX_TOLERANCE * largest, "OctreeBounds")
+        self.check_box(self.root_cells, [self.root_edge] * 3, "OctreeBounds")
 
         self.nodes, self.samples = (words(sections[kind][0]) for kind in (b"NODE", b"SAMP"))
         self.root_count = math.prod(self.root_cells)
@@ -206,8 +259,7 @@ class Octree:
     # ---- §6 to §8: validation ----
 
     def validate(self):
-        for contents, checksum in self.sections.values():
-            require(crc32c(contents) == checksum, "SectionChecksum")
+        self.check_checksums()
         next_block = 0
         for level, child_words in self.check_nodes():
             next_block = self.check_leaves(level, child_words, next_block)
@@ -264,22 +316,6 @@ class Octree:
 
     # ---- §9 Queries ----
 
-    def distance_and_gradient(self, point):
-        p = [F32(x) for x in point]
-        if any(map(math.isnan, p)):
-            return NAN, [NAN] * 3
-        if any(map(math.isinf, p)):
-            d = [math.copysign(1.0, x) if math.isinf(x) else 0.0 for x in p]
-            return math.inf, [F32(x / math.hypot(*d)) for x in d]
-        c = self.nearest_in_box(p)
-        value, gradient = self.inside(c)
-        if c == p:
-            return value, gradient
-        # Wider numbers neither overflow nor underflow here.
-        beyond = [float(p[axis]) - float(c[axis]) for axis in AXES]
-        length = math.hypot(*beyond)
-        return F32(min(float(value) + length, LARGEST)), [F32(x / length) for x in beyond]
-
     def locate(self, c):
         """§9.2: the block's first word, the level, the octant in the parent, the local coordinates."""
         shift = self.depth
@@ -303,20 +339,9 @@ class Octree:
         edge = self.root_edge * 2.0**-level
         return Block(self, start).corners(octant, level, edge, self.quantum * 2.0**-level), edge, u
 
-    def tolerances(self, point):
-        """What another reader may differ by, in the distance and in each component of the gradient."""
-        if not all(map(math.isfinite, point)):
-            return 0.0, 2.0**-20
-        c = self.nearest_in_box(point)
+    def magnitude_at(self, c):
         corners, edge, _ = self.leaf_at(c)
-        largest = max(abs(float(x)) for corner in corners.values() for x in corner)
-        length = math.dist(point, c)
-        if length > 0:
-            return 2.0**-19 * (largest + length), 2.0**-20
-        return 2.0**-19 * largest, 2.0**-16 * largest / float(edge)
-
-    def nearest_in_box(self, p):
-        return [min(max(p[axis], self.box_min[axis]), self.box_max[axis]) for axis in AXES]
+        return max(abs(float(x)) for corner in corners.values() for x in corner), float(edge)
 
     def inside(self, c):
         corners, edge, u = self.leaf_at(c)
@@ -547,7 +572,237 @@ def interpolate(corners, weights):
     return along(along_z, F, FZ, *sides)
 
 
-FAMILIES = {2: Octree}
+# ---- §11 Grids -------------------------------------------------------------------------------------------------------
+
+RANGE_FILE, RANGE_BRICK = 0, 1
+NEAREST, LINEAR, HALF, BLEND, HERMITE = range(5)
+
+# §11.4: the orders that each reconstruction is for.
+ORDERS = {NEAREST: (0, 1, 2, 3), LINEAR: (0, 1, 2, 3), HALF: (1, 2, 3), BLEND: (1, 2, 3), HERMITE: (1, 2)}
+
+# §11.3: the powers of x, y and z of each coefficient, and how many of them a sample of each order has.
+MONOMIALS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+MONOMIALS += [(2, 0, 0), (0, 2, 0), (0, 0, 2), (1, 1, 0), (1, 0, 1), (0, 1, 1)]
+MONOMIALS += [(3, 0, 0), (0, 3, 0), (0, 0, 3), (2, 1, 0), (2, 0, 1), (1, 2, 0), (1, 0, 2), (0, 2, 1), (0, 1, 2), (1, 1, 1)]
+COEFFICIENTS = (1, 4, 10, 20)
+
+
+class Grid(Field):
+    """The grid family, §11."""
+
+    distance_tolerance, gradient_tolerance = 2.0**-18, 2.0**-15
+
+    def __init__(self, sections, box_min, box_max):
+        for kind in (b"GRID", b"SAMP"):
+            require(kind in sections, "SectionMissing")
+        self.sections, self.box_min, self.box_max = sections, box_min, box_max
+        parameters, checksum = sections[b"GRID"]
+        require(len(parameters) == 28, "GridLength")
+        require(crc32c(parameters) == checksum, "SectionChecksum")
+
+        *self.resolution, self.order, self.reconstruction = struct.unpack_from("<3H2B", parameters)
+        self.precision, self.range = parameters[8:10]
+        *self.spacing, self.quantum = map(F32, struct.unpack_from("<4f", parameters, 12))
+        require(not any(parameters[10:12]), "Reserved")
+        require(all(n >= MIN_RESOLUTION for n in self.resolution), "GridResolution")
+        require(self.order <= MAX_ORDER, "GridReconstruction")
+        require(self.order in ORDERS.get(self.reconstruction, ()), "GridReconstruction")
+        require(self.precision in (PACKED32, F16, FULL_F32), "GridPrecision")
+        require(self.range in (RANGE_FILE, RANGE_BRICK), "GridPrecision")
+        require(self.precision != FULL_F32 or self.range == RANGE_FILE, "GridPrecision")
+        require(all(MIN_ROOT_EDGE <= edge <= MAX_MAGNITUDE for edge in self.spacing), "GridScale")
+        require(float(max(self.spacing)) <= MAX_ANISOTROPY * float(min(self.spacing)), "GridScale")
+        require(MIN_QUANTUM <= self.quantum <= MAX_MAGNITUDE, "GridScale")
+        self.check_box([n - 1 for n in self.resolution], self.spacing, "GridBounds")
+
+        self.samples, self.bases = words(sections[b"SAMP"][0]), ()
+        require(len(self.samples) >= self.sample_words(), "GridResolution")
+        if self.precision != FULL_F32:
+            require(b"BASE" in sections, "SectionMissing")
+            bases = sections[b"BASE"][0]
+            self.bases = struct.unpack(f"<{len(bases) // 4}i", bases)
+            require(len(self.bases) >= self.base_count(), "GridResolution")
+
+    # ---- §11.2, §11.3: validation ----
+
+    def validate(self):
+        self.check_checksums()
+        require(len(self.samples) == self.sample_words(), "GridSamples")
+        if self.precision != FULL_F32:
+            require(len(self.bases) == self.base_count(), "GridSamples")
+            require(all(MIN_BASE <= base <= MAX_BASE for base in self.bases), "BlockBase")
+        count = math.prod(self.resolution)
+        for number in range(count):
+            self.check_sample(number)
+        if self.has_half_samples() and count % 2 == 1:
+            require(self.samples[-1] >> 16 == 0, "Reserved")
+
+    def check_sample(self, number):
+        if self.has_half_samples():
+            return
+        data = self.sample_at(number)
+        if self.precision == FULL_F32:
+            require(all(abs(from_bits(word)) <= MAX_MAGNITUDE for word in data), "SampleValue")
+            return
+        if self.precision == PACKED32:
+            require(data[0] & 0x3FF != 0x3FF and data[0] >> 10 & 0x3FF != 0x3FF, "GradientCode")
+            parts = halves(data[1:])
+        else:
+            parts = halves(data)[1:]
+        require(all(math.isfinite(half(bits)) for bits in parts), "SampleValue")
+
+    def bricks(self):
+        """Bricks along each axis."""
+        return [1, 1, 1] if self.range == RANGE_FILE else [-(-n // BRICK_EDGE) for n in self.resolution]
+
+    def base_count(self):
+        return math.prod(self.bricks())
+
+    def base_of(self, place):
+        if self.range == RANGE_FILE:
+            return self.bases[0]
+        bricks = self.bricks()
+        i, j, k = (x // BRICK_EDGE for x in place)
+        return self.bases[i + bricks[0] * (j + bricks[1] * k)]
+
+    # ---- §11.3 Samples ----
+
+    def has_half_samples(self):
+        """Whether a sample is half a word."""
+        return self.order == 0 and self.precision != FULL_F32
+
+    def words_each(self):
+        """Words of a sample that is not half a word."""
+        count = COEFFICIENTS[self.order]
+        return {PACKED32: 1 + (count - 4) // 2, F16: count // 2, FULL_F32: count}[self.precision]
+
+    def sample_words(self):
+        count = math.prod(self.resolution)
+        return (count + 1) // 2 if self.has_half_samples() else count * self.words_each()
+
+    def sample_at(self, number):
+        at = number * self.words_each()
+        return self.samples[at : at + self.words_each()]
+
+    def coefficients_at(self, place):
+        """The coefficients of a sample by the local coordinates of a cell."""
+        number = place[0] + self.resolution[0] * (place[1] + self.resolution[1] * place[2])
+        if self.has_half_samples():
+            code = self.samples[number // 2] >> 16 * (number % 2) & 0xFFFF
+            return [self.distance_of(place, code)]
+
+        data = self.sample_at(number)
+        if self.precision == FULL_F32:
+            distance, *numbers = map(from_bits, data)
+        elif self.precision == F16:
+            code, *parts = halves(data)
+            distance, numbers = self.distance_of(place, code), [half(bits) for bits in parts]
+        else:
+            distance = self.distance_of(place, data[0] >> 20)
+            numbers = octahedral(data[0] & 0x3FF, data[0] >> 10 & 0x3FF) + [half(bits) for bits in halves(data[1:])]
+        return [distance] + [number * self.scale_of(powers) for number, powers in zip(numbers, MONOMIALS[1:])]
+
+    def distance_of(self, place, code):
+        # The bases of valid files are too small for the sum to wrap.
+        return F32(self.base_of(place) + code) * self.quantum
+
+    def scale_of(self, powers):
+        first, *others = [axis for axis in AXES for _ in range(powers[axis])]
+        scale = self.spacing[first]
+        for axis in others:
+            scale = scale * (self.spacing[axis] / max(self.spacing))
+        return scale
+
+    # ---- §11.4 Reconstruction ----
+
+    def cell_at(self, c):
+        """The coefficients of the eight samples around a point, and its local coordinates."""
+        n, scale = self.resolution, [1 / edge for edge in self.spacing]
+        q = [min((c[axis] - self.box_min[axis]) * scale[axis], F32(n[axis] - 1)) for axis in AXES]
+        i = [min(math.floor(q[axis]), n[axis] - 2) for axis in AXES]
+        u = [q[axis] - F32(i[axis]) for axis in AXES]
+        return {corner: self.coefficients_at([i[axis] + corner[axis] for axis in AXES]) for corner in CORNERS}, u
+
+    def magnitude_at(self, c):
+        corners, _ = self.cell_at(c)
+        return max(abs(float(x)) for corner in corners.values() for x in corner), float(min(self.spacing))
+
+    def inside(self, c):
+        corners, u = self.cell_at(c)
+        values, slopes = zip(*map(self.factors, u))
+        gradient = []
+        for axis in AXES:
+            along = list(values)
+            along[axis] = slopes[axis]
+            gradient.append(self.sum_of_terms(corners, along) * (1 / self.spacing[axis]))
+        return self.sum_of_terms(corners, values), gradient
+
+    def sum_of_terms(self, corners, factors):
+        """Every reconstruction is a sum, over samples and coefficients, of products of one factor an axis."""
+        total = F32(0)
+        for corner, coefficients in corners.items():
+            for coefficient, powers in zip(coefficients, MONOMIALS):
+                x, y, z = (factors[axis][corner[axis]][powers[axis]] for axis in AXES)
+                total = total + self.reduced(coefficient, sum(powers)) * (x * y * z)
+        return total
+
+    def reduced(self, coefficient, degree):
+        if self.reconstruction != HALF:
+            return coefficient
+        return coefficient * (F32(self.order + 1 - degree) / F32(self.order + 1))
+
+    def factors(self, t):
+        """Along an axis: the factors for each end, 0 and 1, and each power; and their derivatives by t."""
+        if self.reconstruction == HERMITE:
+            return hermite_cubic(t) if self.order == 1 else hermite_quintic(t)
+        weight, slope = self.weight(t)
+        values, slopes = [], []
+        for end, (w, dw) in enumerate([(1 - weight, -slope), (weight, slope)]):
+            v = t - F32(end)
+            powers = [F32(1), v, v * v, v * v * v]
+            rates = [F32(0), F32(1), 2 * v, 3 * (v * v)]
+            values.append([w * power for power in powers])
+            slopes.append([dw * power + w * rate for power, rate in zip(powers, rates)])
+        return values, slopes
+
+    def weight(self, t):
+        """Of the greater end of an axis, and its derivative."""
+        if self.reconstruction == NEAREST:
+            return F32(t >= 0.5), F32(0)
+        if self.reconstruction in (LINEAR, HALF):
+            return t, F32(1)
+        if self.order == 1:
+            return t * t * (3 - 2 * t), 6 * t * (1 - t)
+        if self.order == 2:
+            return t * t * t * (10 - t * (15 - 6 * t)), 30 * (t * (1 - t)) * (t * (1 - t))
+        both = t * (1 - t)
+        return (t * t) * (t * t) * (35 - t * (84 - t * (70 - 20 * t))), 140 * both * both * both
+
+
+def hermite_cubic(t):
+    """§9.3."""
+    v1 = t * t * (3 - 2 * t)
+    rate = 6 * t * (1 - t)
+    values = [[1 - v1, t * ((1 - t) * (1 - t))], [v1, -(t * t) * (1 - t)]]
+    return values, [[-rate, (1 - t) * (1 - 3 * t)], [rate, t * (3 * t - 2)]]
+
+
+def hermite_quintic(t):
+    o = 1 - t
+    last = t * t * t * (10 - t * (15 - 6 * t))
+    rate = 30 * (t * o) * (t * o)
+    values = [
+        [1 - last, t * (o * o * o) * (1 + 3 * t), t * t * (o * o * o)],
+        [last, -(t * t * t) * o * (4 - 3 * t), t * t * t * (o * o)],
+    ]
+    slopes = [
+        [-rate, o * o * (1 - 3 * t) * (1 + 5 * t), t * (o * o) * (2 - 5 * t)],
+        [rate, -(t * t) * (2 - 3 * t) * (6 - 5 * t), t * t * o * (3 - 5 * t)],
+    ]
+    return values, slopes
+
+
+FAMILIES = {1: Grid, 2: Octree}
 
 # ---- The command line ------------------------------------------------------------------------------------------------
 
@@ -571,7 +826,7 @@ def query(field_path, points_path, out_path):
     with open(out_path, "wb") as out:
         for point in struct.iter_unpack("<3f", read_bytes(points_path)):
             distance, gradient = field.distance_and_gradient(point)
-            out.write(struct.pack("<4f", distance, *gradient))
+            out.write(struct.pack("<6f", distance, *gradient, *field.tolerances(point)))
 
 
 def chosen_points(field):

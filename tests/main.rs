@@ -18,6 +18,8 @@ mod grids;
 mod properties;
 /// A reader in another language, written from the specification alone, agrees.
 mod python_reader;
+/// Rays, regions, descents and moved fields keep what they promise.
+mod queries;
 /// What fuzzers found stays fixed.
 mod regressions;
 /// What was baked is what is read.

@@ -2,7 +2,7 @@ use crate::support::numbers::Numbers;
 use crate::vectors::samples::Random;
 use crate::vectors::{folder, manifest, names, read};
 use glam::DVec3;
-use nearfield::Field;
+use nearfield::{Family, Field};
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::settings::{Settings, Target};
@@ -143,19 +143,28 @@ fn agree_on(bytes: &[u8], count: usize) {
     }
 
     let answers = read_floats(&out_path);
-    assert_eq!(answers.len(), 4 * count, "an answer a point");
-    for (&point, answer) in points.iter().zip(answers.as_chunks::<4>().0) {
-        let (distance, [x, y, z]) = field.distance_and_gradient(point);
-        if (0..3).all(|axis| (bounds.min[axis]..=bounds.max[axis]).contains(&point[axis])) {
-            assert_eq!([distance, x, y, z].map(f32::to_bits), answer.map(f32::to_bits), "at {point:?}");
-        } else {
+    assert_eq!(answers.len(), 6 * count, "an answer a point");
+    let is_octree = field.header().family == Family::Octree;
+    for (&point, answer) in points.iter().zip(answers.as_chunks::<6>().0) {
+        let (distance, gradient) = field.distance_and_gradient(point);
+        let is_inside = (0..3).all(|axis| (bounds.min[axis]..=bounds.max[axis]).contains(&point[axis]));
+        let [expected, x, y, z, tolerance, gradient_tolerance] = *answer;
+        let close = |a: f32, b: f32, tolerance: f32| (a - b).abs() <= tolerance;
+        if is_octree && is_inside {
+            assert_eq!(distance.to_bits(), expected.to_bits(), "at {point:?}");
+            assert_eq!(gradient.map(f32::to_bits), [x, y, z].map(f32::to_bits), "gradient at {point:?}");
+        } else if is_octree {
             // Only the length of the way to the box may be rounded differently.
             let at = DVec3::from(point.map(f64::from));
             let nearest = at.clamp(min, max);
             let scale = field.distance(nearest.as_vec3().to_array()).abs() + at.distance(nearest) as f32;
-            let close = |a: f32, b: f32, scale: f32| (a - b).abs() <= 4.0 * f32::EPSILON * scale;
-            assert!(close(distance, answer[0], scale), "{distance} and {} at {point:?}", answer[0]);
-            assert!([x, y, z].iter().zip(&answer[1..]).all(|(&a, &b)| close(a, b, 1.0)), "gradient at {point:?}");
+            let rounding = 4.0 * f32::EPSILON;
+            assert!(close(distance, expected, rounding * scale), "{distance} and {expected} at {point:?}");
+            assert!(gradient.iter().zip([x, y, z]).all(|(&a, b)| close(a, b, rounding)), "gradient at {point:?}");
+        } else {
+            assert!(close(distance, expected, tolerance), "{distance} and {expected} ± {tolerance} at {point:?}");
+            let is_close = gradient.iter().zip([x, y, z]).all(|(&a, b)| close(a, b, gradient_tolerance));
+            assert!(is_close, "{gradient:?} and {:?} ± {gradient_tolerance} at {point:?}", [x, y, z]);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The door: bytes in, distances out.
 
+use crate::cursor::Cursor;
 use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, ErrorContract, Family, Header};
@@ -139,6 +140,11 @@ impl<'a> Field<'a> {
         points.len().min(distances.len()).min(gradients.len())
     }
 
+    /// A cursor, which answers queries that are near one another faster.
+    pub fn cursor(&self) -> Cursor<'a> {
+        Cursor::new(*self)
+    }
+
     /// What the field is and where it came from.
     pub fn header(&self) -> Header {
         header::header_of(self.bytes)
@@ -157,6 +163,15 @@ impl<'a> Field<'a> {
     /// The octree, for those who walk its leaves; `None` for another family.
     pub fn octree(&self) -> Option<Octree<'a>> {
         match self.shape {
+            Shape::Octree(octree) => Some(octree),
+            Shape::Grid(_) => None,
+        }
+    }
+
+    /// The octree where it lies.
+    #[inline]
+    pub(crate) fn octree_in_place(&self) -> Option<&Octree<'a>> {
+        match &self.shape {
             Shape::Octree(octree) => Some(octree),
             Shape::Grid(_) => None,
         }

@@ -5,7 +5,7 @@
 //! corners on it carry its derivatives, so the cubic between those corners is the same (Pujol and Chica
 //! 2023, appendix): the vertex needs no bytes.
 
-use crate::hermite::{Corners, Jet, Jets};
+use crate::hermite::{Jet, Jets};
 use core::array::from_fn;
 
 /// Whether a block that leaves a lattice bit out implies it: the parent's corners around it are stored and,
@@ -35,13 +35,6 @@ pub(crate) fn settle(jets: &mut Jets, implied: u32, octant: u32) {
     settle_along::<4>(jets, implied, octant & 1);
     settle_along::<2>(jets, implied, octant >> 1 & 1);
     settle_along::<1>(jets, implied, octant >> 2 & 1);
-}
-
-/// The same for the distances of a trilinear leaf.
-pub(crate) fn settle_distances(distances: Corners, implied: u32, octant: u32) -> Corners {
-    let mut jets = distances.map(|distance| [distance, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-    settle(&mut jets, implied, octant);
-    jets.map(|[distance, ..]| distance)
 }
 
 /// One axis, by its bit in the indices of corners and derivatives.

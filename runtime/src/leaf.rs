@@ -75,14 +75,9 @@ impl Octree<'_> {
     /// Value of a leaf at local coordinates, 0 to 1 along each axis; mesh units.
     #[inline]
     pub(crate) fn value(&self, leaf: &Leaf, local: [f32; 3]) -> f32 {
-        match self.interpolant() {
-            Interpolant::Tricubic => {
-                let mut jets = Jets::default();
-                self.read_jets(leaf, &mut jets);
-                hermite::tricubic(&jets, local)
-            }
-            Interpolant::Trilinear => hermite::trilinear(&self.distances(leaf), local),
-        }
+        let mut jets = Jets::default();
+        self.read_corners(leaf, &mut jets);
+        self.value_between(&jets, local)
     }
 
     /// Value and gradient of a leaf at local coordinates, 0 to 1 along each axis.
@@ -91,16 +86,38 @@ impl Octree<'_> {
     /// by extrapolation; finite coordinates of a few cells give finite answers.
     #[inline]
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
+        let mut jets = Jets::default();
+        self.read_corners(leaf, &mut jets);
+        self.evaluate_between(leaf, &jets, local)
+    }
+
+    /// Value between the corners of a leaf.
+    #[inline]
+    pub(crate) fn value_between(&self, jets: &Jets, local: [f32; 3]) -> f32 {
+        match self.interpolant() {
+            Interpolant::Tricubic => hermite::tricubic(jets, local),
+            Interpolant::Trilinear => hermite::trilinear(&distances(jets), local),
+        }
+    }
+
+    /// Value and gradient between the corners of a leaf.
+    #[inline]
+    pub(crate) fn evaluate_between(&self, leaf: &Leaf, jets: &Jets, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
-            Interpolant::Tricubic => {
-                let mut jets = Jets::default();
-                self.read_jets(leaf, &mut jets);
-                hermite::tricubic_and_derivatives(&jets, local)
-            }
-            Interpolant::Trilinear => hermite::trilinear_and_derivatives(&self.distances(leaf), local),
+            Interpolant::Tricubic => hermite::tricubic_and_derivatives(jets, local),
+            Interpolant::Trilinear => hermite::trilinear_and_derivatives(&distances(jets), local),
         };
         let per_edge = 1.0 / self.edge(leaf.level);
         (value, derivatives.map(|derivative| derivative * per_edge))
+    }
+
+    /// Writes the jets at the corners of a leaf; of a trilinear one only the distances.
+    #[inline]
+    pub(crate) fn read_corners(&self, leaf: &Leaf, jets: &mut Jets) {
+        match self.interpolant() {
+            Interpolant::Tricubic => self.read_jets(leaf, jets),
+            Interpolant::Trilinear => self.read_distances(leaf, jets),
+        }
     }
 
     /// Writes the jets at the corners of a tricubic leaf.
@@ -124,17 +141,27 @@ impl Octree<'_> {
         }
     }
 
-    /// The distances at the corners of a trilinear leaf.
-    #[inline]
-    fn distances(&self, leaf: &Leaf) -> Corners {
+    /// Writes the distances at the corners of a trilinear leaf.
+    fn read_distances(&self, leaf: &Leaf, jets: &mut Jets) {
         let block = Block::at(self.samples, leaf.block);
         let quantum = self.quantum(leaf.level);
-        let implied = block.implied(leaf.octant);
         let mut places = [0; 8];
         ranks(block.present, &block.sources(leaf.octant), &mut places);
-        let distances = places.map(|place| block.trilinear_distance(place, quantum));
-        if implied == 0 { distances } else { implied::settle_distances(distances, implied, leaf.octant) }
+        for (jet, place) in jets.iter_mut().zip(places) {
+            *jet = [block.trilinear_distance(place, quantum), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        }
+        let implied = block.implied(leaf.octant);
+        if implied != 0 {
+            implied::settle(jets, implied, leaf.octant);
+            // The settled slopes are of no use: between the corners everything is linear.
+        }
     }
+}
+
+/// The distances of jets.
+#[inline]
+fn distances(jets: &Jets) -> Corners {
+    jets.map(|[distance, ..]| distance)
 }
 
 /// A 16-bit distance code counts sixteenths of a quantum.

@@ -201,18 +201,37 @@ impl<'a> Octree<'a> {
     /// the greater one.
     #[inline]
     pub(crate) fn locate(&self, point: [f32; 3]) -> (Leaf, [f32; 3]) {
-        let lattice_point = |axis: usize| {
+        let position = self.position(point);
+        let leaf = self.leaf_at(position.map(|cells| cells as u32));
+        (leaf, self.local(&leaf, position))
+    }
+
+    /// A point of the box in finest cells from the least corner of the box.
+    #[inline]
+    pub(crate) fn position(&self, point: [f32; 3]) -> [f32; 3] {
+        [0, 1, 2].map(|axis: usize| {
             let cells = (point[axis] - self.bounds.min[axis]) * self.cells_per_unit;
             let limit = self.lattice_edge[axis];
             // Never a NaN: one comparison does.
             if cells < limit { cells } else { limit }
-        };
-        let position = [lattice_point(0), lattice_point(1), lattice_point(2)];
-        let leaf = self.leaf_at(position.map(|cells| cells as u32));
+        })
+    }
 
+    /// Local coordinates of a position, 0 to 1 within the leaf.
+    #[inline]
+    pub(crate) fn local(&self, leaf: &Leaf, position: [f32; 3]) -> [f32; 3] {
         let scale = math::power_of_half(self.depth.saturating_sub(leaf.level));
-        let local = |axis: usize| (position[axis] - leaf.cell[axis] as f32) * scale;
-        (leaf, [local(0), local(1), local(2)])
+        [0, 1, 2].map(|axis: usize| (position[axis] - leaf.cell[axis] as f32) * scale)
+    }
+
+    /// Whether a leaf holds a position: whether [`leaf_at`](Self::leaf_at) would find it.
+    #[inline]
+    pub(crate) fn holds(&self, leaf: &Leaf, position: [f32; 3]) -> bool {
+        let is_in = [0, 1, 2].map(|axis: usize| {
+            let cell = (position[axis] as u32).min(self.lattice[axis] - 1);
+            cell ^ leaf.cell[axis] < leaf.edge
+        });
+        is_in == [true; 3]
     }
 
     /// The leaves, depth first.

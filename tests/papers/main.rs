@@ -38,9 +38,10 @@ fn introduction(shapes: &shapes::Shapes) -> String {
     format!(
         "# The papers' figures beside ours\n\n\
          Written by `cargo run --release -p conformance --bin papers -- [MESHES] docs/measurements/papers.md`, on\n\
-         2026-11-22, on a shared machine of 2 cores (x86-64). Meshes: bunny is {}, armadillo is {}; both centred and\n\
-         scaled into [-1, 1]³ for the papers of 2020 and 2022, as there. Dragon, Krayer and Müller's signs and the two\n\
-         procedural scenes of 2022 are not published with the papers: we have no dragon, and two scenes of our own.\n\n\
+         2026-11-22, on a shared machine of 2 cores (x86-64).\n\
+         Bunny: {}. Armadillo: {}.\n\
+         Both are centred and scaled into [-1, 1]³ for the papers of 2020 and 2022, as there. The dragon and the two\n\
+         procedural scenes of 2022 are not published with the papers: there is no dragon here, and the scenes are our own.\n\n\
          Errors are taken at {} random points of the cube, against exact distances. The papers resample to a lattice of\n\
          256³ that is itself their ground truth; a random point sees the same mean error without the lattice's own.\n\
          Every field of ours went through its file and the shipping reader.\n\n",

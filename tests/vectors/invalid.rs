@@ -2,6 +2,7 @@
 //!
 //! Each is a valid file with one change, under the right checksums unless the checksum is the change.
 
+use super::invalid_grids;
 use super::samples::{Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
 use super::valid::three_levels;
 use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR, entry, put, seal};
@@ -23,6 +24,9 @@ pub(crate) fn all() -> Vec<Invalid> {
     nodes(&mut vectors);
     blocks(&mut vectors);
     sample_data(&mut vectors);
+    for (name, error, file) in invalid_grids::all() {
+        vectors.add(&name, error, file.bytes());
+    }
     vectors.0
 }
 
@@ -418,16 +422,16 @@ fn sample_data(vectors: &mut Vectors) {
     }
 }
 
-fn two_to(power: i32) -> f32 {
+pub(super) fn two_to(power: i32) -> f32 {
     2.0_f32.powi(power)
 }
 
 /// The next number up from a positive one.
-fn above(number: f32) -> f32 {
+pub(super) fn above(number: f32) -> f32 {
     f32::from_bits(number.to_bits() + 1)
 }
 
 /// The next number down from a positive one.
-fn below(number: f32) -> f32 {
+pub(super) fn below(number: f32) -> f32 {
     f32::from_bits(number.to_bits() - 1)
 }

@@ -3,9 +3,12 @@
 //! `NEARFIELD_WRITE_VECTORS=1 cargo test -p conformance vectors` writes those that are missing. None is ever rewritten:
 //! what a published file means does not change.
 
+mod grid;
 pub(crate) mod invalid;
+mod invalid_grids;
 pub(crate) mod samples;
 pub(crate) mod valid;
+mod valid_grids;
 pub(crate) mod writer;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -39,7 +39,7 @@ impl Random {
     }
 
     /// A multiple of 2⁻⁸ from −1 up to 1, which every precision holds.
-    fn number(&mut self) -> f32 {
+    pub(crate) fn number(&mut self) -> f32 {
         (self.word() % 512) as f32 / 256.0 - 1.0
     }
 

@@ -1,6 +1,7 @@
 //! Files that every reader must accept, most of which the baker would never write.
 
 use super::samples::{ALL, Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
+use super::valid_grids;
 use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR, corners};
 
 const INTERPOLANTS: [(&str, u8); 2] = [("trilinear", TRILINEAR), ("tricubic", TRICUBIC)];
@@ -83,6 +84,10 @@ pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
     let mut many = octree_of_one_leaf().file();
     many.sections.extend((0..13).map(|index| ([b'X', b'0', b'0', b'A' + index], vec![index; 4])));
     add("sixteen_sections", many);
+
+    for (name, file) in valid_grids::all() {
+        add(&name, file);
+    }
 
     vectors
 }

@@ -29,6 +29,26 @@ pub(crate) struct File {
 }
 
 impl File {
+    /// Sections in a box, with plausible numbers for the rest.
+    pub(crate) fn holding(family: u8, [box_min, box_max]: [[f32; 3]; 2], sections: Vec<([u8; 4], Vec<u8>)>) -> Self {
+        Self {
+            version: [1, 0],
+            family,
+            sign_method: 1,
+            reserved: 0,
+            box_min,
+            box_max,
+            quantities: [1.5, 0.01, 2.0],
+            contract: [0.01, 0.02, 0.05, 0.01, 0.02, 0.04, 0.03],
+            sample_count: 100_000,
+            doubtful_signs: 7,
+            hashes: std::array::from_fn(|index| index as u8 + 1),
+            baker_version: 1 << 16 | 2 << 8 | 3,
+            unused: 0,
+            sections,
+        }
+    }
+
     /// The bytes, with the sections one after the other and the right checksums.
     pub(crate) fn bytes(&self) -> Vec<u8> {
         let mut table = Vec::new();
@@ -80,6 +100,11 @@ pub(crate) fn put(bytes: &mut [u8], at: usize, word: u32) {
     bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
 }
 
+/// The bytes of words.
+pub(crate) fn little_endian(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
 /// The octree of a file (§5 to §7), and the least corner of its box.
 #[derive(Clone)]
 pub(crate) struct Octree {
@@ -121,29 +146,15 @@ impl Octree {
         }
     }
 
-    /// A file that holds the octree, with plausible numbers for the rest.
+    /// A file that holds the octree.
     pub(crate) fn file(&self) -> File {
         let box_max = [0, 1, 2].map(|axis| self.box_min[axis] + f32::from(self.root_cells[axis]) * self.root_edge);
-        File {
-            version: [1, 0],
-            family: 2,
-            sign_method: 1,
-            reserved: 0,
-            box_min: self.box_min,
-            box_max,
-            quantities: [1.5, 0.01, 2.0],
-            contract: [0.01, 0.02, 0.05, 0.01, 0.02, 0.04, 0.03],
-            sample_count: 100_000,
-            doubtful_signs: 7,
-            hashes: std::array::from_fn(|index| index as u8 + 1),
-            baker_version: 1 << 16 | 2 << 8 | 3,
-            unused: 0,
-            sections: vec![
-                (*b"OCTR", self.parameters()),
-                (*b"NODE", self.nodes.iter().flat_map(|word| word.to_le_bytes()).collect()),
-                (*b"SAMP", self.samples.iter().flat_map(|word| word.to_le_bytes()).collect()),
-            ],
-        }
+        let sections = vec![
+            (*b"OCTR", self.parameters()),
+            (*b"NODE", little_endian(&self.nodes)),
+            (*b"SAMP", little_endian(&self.samples)),
+        ];
+        File::holding(2, [self.box_min, box_max], sections)
     }
 
     fn parameters(&self) -> Vec<u8> {

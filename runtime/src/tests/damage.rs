@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use super::file::{File, Random, divided, open, seal, three_levels, trilinear};
 use crate::layout::{block, header, precision, section, section_entry};
-use crate::{Field, crc32c};
+use crate::{Field, Raycast, crc32c};
 
 fn assert_finite(field: &Field<'_>, random: &mut Random) {
     for _ in 0..8 {
@@ -14,6 +14,17 @@ fn assert_finite(field: &Field<'_>, random: &mut Random) {
         assert!(gradient.iter().all(|component| component.is_finite()), "{gradient:?}");
         assert!(field.distance(point).is_finite());
     }
+
+    let point = random.point().map(|unit| 12.0 * unit - 1.0);
+    if let Raycast::Hit(hit) = field.raycast(point, random.point().map(|unit| unit - 0.5), 9.0, 1e-3) {
+        let numbers = [hit.distance].into_iter().chain(hit.point).chain(hit.normal);
+        assert!(numbers.into_iter().all(f32::is_finite), "{hit:?}");
+    }
+    let closest = field.closest_point(point);
+    assert!(closest.residual.is_finite() && closest.point.iter().all(|x| x.is_finite()), "{closest:?}");
+    assert!(field.normal(point).iter().all(|x| x.is_finite()));
+    assert!(!field.clearance(point).is_nan());
+    assert_eq!(field.cursor().distance(point).to_bits(), field.distance(point).to_bits());
     for leaf in field.octree().expect("an octree").leaves().take(100) {
         let (distance, gradient) = field.octree().expect("an octree").evaluate(&leaf, [0.25, 1.0, 0.5]);
         assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()));
