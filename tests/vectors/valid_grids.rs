@@ -74,6 +74,8 @@ pub(super) fn all() -> Vec<(String, File)> {
     unknown.sections.insert(1, (*b"WHAT", b"ever".to_vec()));
     unknown.sections.push((*b"NODE", b"none".to_vec()));
     add("sections_of_no_grid", unknown);
+    let bases = Some(vec![i32::MIN; 2]);
+    add("bases_that_floats_ignore", Grid { bases, ..Grid::new(Like { precision: F32, ..LIKE }, 39) }.file());
     vectors
 }
 
