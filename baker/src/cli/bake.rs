@@ -14,6 +14,7 @@ use nearfield_bake::settings::{self, Settings, Target};
 use nearfield_bake::{BakeError, bake};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::slice;
 
 /// Bake a mesh into a field
 ///
@@ -198,7 +199,7 @@ impl Bake {
             [Some(&self.output), self.report.as_ref(), self.depfile.as_ref()].into_iter().flatten().collect();
         for (index, path) in outputs.iter().enumerate() {
             if outputs[..index].contains(path) {
-                return Err(Failure::Usage(format!("two outputs cannot both go to {}", path.display())));
+                return Err(Failure::Usage(format!("two outputs cannot go to the same place, {}", path.display())));
             }
             files::check_output(path, &self.mesh)?;
         }
@@ -210,7 +211,7 @@ impl Bake {
         if self.depfile.is_none() {
             return Ok(String::new());
         }
-        depfile::rule(&self.output, &[self.mesh.clone()]).map_err(|error| Failure::Usage(error.to_string()))
+        depfile::rule(&self.output, slice::from_ref(&self.mesh)).map_err(|error| Failure::Usage(error.to_string()))
     }
 
     /// The request that these arguments make.
