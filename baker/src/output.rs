@@ -92,7 +92,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// Writes a whole file, unless it is there already and holds these bytes. Returns whether it was written.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn write_if_changed(path: &Path, bytes: &[u8]) -> io::Result<bool> {
     // The length first: another length is another content, and nothing need be read.
     let same_length = fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == bytes.len() as u64);
