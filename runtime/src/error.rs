@@ -91,9 +91,10 @@ pub enum Error {
     SampleValue,
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
+impl Error {
+    /// The rule in words: no capital at the start, no full stop at the end.
+    pub const fn text(self) -> &'static str {
+        match self {
             Self::Truncated => "the file is shorter than its header and section table",
             Self::Magic => "the file does not start with the magic number of a Nearfield field",
             Self::Version => "the file's version is not one that this reader knows",
@@ -134,7 +135,13 @@ impl fmt::Display for Error {
             Self::GridSamples => "a section of the grid is longer than it should be",
             Self::GradientCode => "a gradient code is out of range",
             Self::SampleValue => "a sample is not finite or too large",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.text())
     }
 }
 
