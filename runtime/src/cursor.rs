@@ -3,6 +3,7 @@
 use crate::field::Field;
 use crate::hermite::Jets;
 use crate::octree::{Leaf, Octree};
+use crate::representation::{Any, Representation};
 
 /// Answers queries that are near one another: a ray's steps, a particle's path, the points of a row.
 ///
@@ -17,14 +18,14 @@ use crate::octree::{Leaf, Octree};
 /// # }
 /// ```
 #[derive(Clone, Debug)]
-pub struct Cursor<'a> {
-    field: Field<'a>,
+pub struct Cursor<'a, R = Any<'a>> {
+    field: Field<'a, R>,
     leaf: Option<Leaf>,
     jets: Jets,
 }
 
-impl<'a> Cursor<'a> {
-    pub(crate) fn new(field: Field<'a>) -> Self {
+impl<'a, R: Representation<'a>> Cursor<'a, R> {
+    pub(crate) fn new(field: Field<'a, R>) -> Self {
         Self { field, leaf: None, jets: Jets::default() }
     }
 

@@ -21,7 +21,7 @@ pub enum Error {
     Reserved,
     /// The checksum of the header and the section table does not match (§3.4).
     HeaderChecksum,
-    /// The field family is unknown (§3.5).
+    /// The field family is unknown, or not the one that was asked for (§3.5).
     Family,
     /// The sign method is unknown (§3.6).
     SignMethod,
@@ -101,7 +101,7 @@ impl Error {
             Self::FileLength => "the file is not as long as its header says",
             Self::Reserved => "a reserved bit is set",
             Self::HeaderChecksum => "the checksum of the header does not match",
-            Self::Family => "the field family is unknown",
+            Self::Family => "the field family is unknown, or not the one that was asked for",
             Self::SignMethod => "the sign method is unknown",
             Self::Bounds => "the box is empty, not finite or too large",
             Self::Quantity => "a quantity in the header is negative, not finite or too large",

@@ -5,63 +5,20 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, ErrorContract, Family, Header};
 use crate::octree::Octree;
+use crate::representation::{Any, Representation, Shape};
 use crate::section::{self, Sections};
-use crate::{math, validate, validate_grid};
+use crate::{math, validate};
 
 /// A signed distance field in borrowed bytes.
 ///
 /// Copying a field copies a few numbers and two references, never the bytes.
+///
+/// A field reads files of every family. A program that knows which one it has leaves the others out by
+/// [`open_octree`](Field::open_octree) or [`open_grid`](Field::open_grid).
 #[derive(Clone, Copy, Debug)]
-pub struct Field<'a> {
-    shape: Shape<'a>,
+pub struct Field<'a, R = Any<'a>> {
+    shape: R,
     bytes: &'a [u8],
-}
-
-/// What a field's family makes of its sections.
-#[derive(Clone, Copy, Debug)]
-enum Shape<'a> {
-    Grid(Grid<'a>),
-    Octree(Octree<'a>),
-}
-
-impl Shape<'_> {
-    #[inline]
-    fn contains(&self, point: [f32; 3]) -> bool {
-        match self {
-            Self::Grid(grid) => grid.contains(point),
-            Self::Octree(octree) => octree.contains(point),
-        }
-    }
-
-    /// Value at a point of the box.
-    #[inline]
-    fn value(&self, point: [f32; 3]) -> f32 {
-        match self {
-            Self::Grid(grid) => {
-                let (cell, local) = grid.locate(point);
-                grid.value(cell, local)
-            }
-            Self::Octree(octree) => {
-                let (leaf, local) = octree.locate(point);
-                octree.value(&leaf, local)
-            }
-        }
-    }
-
-    /// Value and gradient at a point of the box.
-    #[inline]
-    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        match self {
-            Self::Grid(grid) => {
-                let (cell, local) = grid.locate(point);
-                grid.evaluate(cell, local)
-            }
-            Self::Octree(octree) => {
-                let (leaf, local) = octree.locate(point);
-                octree.evaluate(&leaf, local)
-            }
-        }
-    }
 }
 
 impl<'a> Field<'a> {
@@ -74,13 +31,59 @@ impl<'a> Field<'a> {
     ///
     /// The first rule of `SPEC.md` §3 to §5 and §11 that the bytes break.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
-        header::check(bytes)?;
-        let bounds = header::bounds_of(bytes);
-        let shape = match header::family_of(bytes)? {
-            Family::Grid => Shape::Grid(Grid::open(bytes, bounds)?),
-            Family::Octree => Shape::Octree(Octree::open(bytes, bounds)?),
-        };
-        Ok(Self { shape, bytes })
+        open(bytes, None)
+    }
+
+    /// The octree, for those who walk its leaves; `None` for another family.
+    pub fn octree(&self) -> Option<Octree<'a>> {
+        self.shape.as_octree().copied()
+    }
+
+    /// The grid, for those who read its samples; `None` for another family.
+    pub fn grid(&self) -> Option<Grid<'a>> {
+        match self.shape {
+            Any::Grid(grid) => Some(grid),
+            Any::Octree(_) => None,
+        }
+    }
+}
+
+impl<'a> Field<'a, Octree<'a>> {
+    /// Opens an octree, as [`Field::open`] does.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Family`] also for another family.
+    pub fn open_octree(bytes: &'a [u8]) -> Result<Self, Error> {
+        open(bytes, Some(Family::Octree))
+    }
+}
+
+impl<'a> Field<'a, Grid<'a>> {
+    /// Opens a grid, as [`Field::open`] does.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Family`] also for another family.
+    pub fn open_grid(bytes: &'a [u8]) -> Result<Self, Error> {
+        open(bytes, Some(Family::Grid))
+    }
+}
+
+fn open<'a, R: Representation<'a>>(bytes: &'a [u8], family: Option<Family>) -> Result<Field<'a, R>, Error> {
+    header::check(bytes)?;
+    let is_other = |family| header::family_of(bytes) != Ok(family);
+    if family.is_some_and(is_other) {
+        return Err(Error::Family);
+    }
+    let shape = R::open(bytes, header::bounds_of(bytes))?;
+    Ok(Field { shape, bytes })
+}
+
+impl<'a, R: Representation<'a>> Field<'a, R> {
+    /// What the field is made of.
+    pub fn representation(&self) -> R {
+        self.shape
     }
 
     /// Checks every byte against the format, in time proportional to the file and without memory.
@@ -90,10 +93,7 @@ impl<'a> Field<'a> {
     /// The first rule of `SPEC.md` §4 to §8 and §11 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
-        match &self.shape {
-            Shape::Grid(grid) => validate_grid::grid(grid),
-            Shape::Octree(octree) => validate::octree(octree),
-        }
+        self.shape.validate()
     }
 
     /// Signed distance from a point to the surface: mesh units, negative inside.
@@ -141,7 +141,7 @@ impl<'a> Field<'a> {
     }
 
     /// A cursor, which answers queries that are near one another faster.
-    pub fn cursor(&self) -> Cursor<'a> {
+    pub fn cursor(&self) -> Cursor<'a, R> {
         Cursor::new(*self)
     }
 
@@ -160,29 +160,10 @@ impl<'a> Field<'a> {
         section::sections(self.bytes)
     }
 
-    /// The octree, for those who walk its leaves; `None` for another family.
-    pub fn octree(&self) -> Option<Octree<'a>> {
-        match self.shape {
-            Shape::Octree(octree) => Some(octree),
-            Shape::Grid(_) => None,
-        }
-    }
-
-    /// The octree where it lies.
+    /// The octree, if it is one, where it lies.
     #[inline]
     pub(crate) fn octree_in_place(&self) -> Option<&Octree<'a>> {
-        match &self.shape {
-            Shape::Octree(octree) => Some(octree),
-            Shape::Grid(_) => None,
-        }
-    }
-
-    /// The grid, for those who read its samples; `None` for another family.
-    pub fn grid(&self) -> Option<Grid<'a>> {
-        match self.shape {
-            Shape::Grid(grid) => Some(grid),
-            Shape::Octree(_) => None,
-        }
+        self.shape.as_octree()
     }
 
     /// The answer for a point that the box does not contain.

@@ -62,6 +62,7 @@ mod octree;
 mod polynomial;
 mod range;
 mod reconstruct;
+mod representation;
 pub mod sample;
 mod section;
 #[cfg(test)]
@@ -78,4 +79,5 @@ pub use header::{Aabb, ErrorContract, ErrorStatistics, Family, Header, SignMetho
 pub use instance::{Instance, NotASimilarity};
 pub use march::{ClosestPoint, RayHit, Raycast};
 pub use octree::{Continuity, Interpolant, Leaf, Leaves, Octree};
+pub use representation::{Any, Representation};
 pub use section::{Section, Sections};

@@ -62,7 +62,7 @@ enum NearfieldResult
   NEARFIELD_RESULT_RESERVED = 5,
   // The checksum of the header and the section table does not match (§3.4).
   NEARFIELD_RESULT_HEADER_CHECKSUM = 6,
-  // The field family is unknown (§3.5).
+  // The field family is unknown, or not the one that was asked for (§3.5).
   NEARFIELD_RESULT_FAMILY = 7,
   // The sign method is unknown (§3.6).
   NEARFIELD_RESULT_SIGN_METHOD = 8,

@@ -21,7 +21,7 @@ pub enum NearfieldResult {
     Reserved = 5,
     /// The checksum of the header and the section table does not match (§3.4).
     HeaderChecksum = 6,
-    /// The field family is unknown (§3.5).
+    /// The field family is unknown, or not the one that was asked for (§3.5).
     Family = 7,
     /// The sign method is unknown (§3.6).
     SignMethod = 8,

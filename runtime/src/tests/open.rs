@@ -330,3 +330,17 @@ fn the_header_is_read_as_written() {
     assert_eq!(octree.continuity(), Continuity::None);
     assert_eq!(field.sections().count(), 3);
 }
+
+#[test]
+fn a_family_that_was_not_asked_for_is_refused() {
+    let bytes = three_levels().bytes();
+    let field = open(&bytes);
+    let octree = Field::open_octree(&bytes).expect("an octree");
+    assert_eq!(octree.validate(), Ok(()));
+    assert_eq!(Field::open_grid(&bytes).err(), Some(Error::Family));
+
+    let point = [0.3, 0.7, 0.2];
+    let bits = |(distance, gradient): (f32, [f32; 3])| (distance.to_bits(), gradient.map(f32::to_bits));
+    assert_eq!(bits(octree.distance_and_gradient(point)), bits(field.distance_and_gradient(point)));
+    assert_eq!(octree.cursor().distance(point).to_bits(), field.distance(point).to_bits());
+}

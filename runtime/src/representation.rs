@@ -1,0 +1,159 @@
+//! What a field may be made of.
+
+use crate::error::Error;
+use crate::grid::Grid;
+use crate::header::{self, Aabb, Family};
+use crate::octree::Octree;
+use crate::{validate, validate_grid};
+
+/// What a [`Field`](crate::Field) is made of: an [`Octree`], a [`Grid`], or [`Any`] of them, as the file has it.
+///
+/// A program that reads one family alone says so, and the others are not linked into it.
+pub trait Representation<'a>: Shape<'a> {}
+
+/// What fields ask of their representation. Nobody else can implement it: it is not exported.
+pub trait Shape<'a>: Copy {
+    /// The representation in bytes whose header has been checked.
+    fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error>;
+
+    /// Checks the contents of the sections.
+    fn validate(&self) -> Result<(), Error>;
+
+    /// Whether a point lies in the box, faces included. False for a NaN.
+    fn contains(&self, point: [f32; 3]) -> bool;
+
+    /// Value at a point of the box.
+    fn value(&self, point: [f32; 3]) -> f32;
+
+    /// Value and gradient at a point of the box.
+    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]);
+
+    /// The octree, if it is one, where it lies.
+    fn as_octree(&self) -> Option<&Octree<'a>>;
+}
+
+/// Whatever the file has.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Any<'a> {
+    /// A uniform lattice of samples.
+    Grid(Grid<'a>),
+    /// Adaptive cells.
+    Octree(Octree<'a>),
+}
+
+impl<'a> Representation<'a> for Any<'a> {}
+impl<'a> Representation<'a> for Grid<'a> {}
+impl<'a> Representation<'a> for Octree<'a> {}
+
+impl<'a> Shape<'a> for Any<'a> {
+    fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error> {
+        match header::family_of(bytes)? {
+            Family::Grid => Grid::open(bytes, bounds).map(Self::Grid),
+            Family::Octree => Octree::open(bytes, bounds).map(Self::Octree),
+        }
+    }
+
+    fn validate(&self) -> Result<(), Error> {
+        match self {
+            Self::Grid(grid) => validate_grid::grid(grid),
+            Self::Octree(octree) => validate::octree(octree),
+        }
+    }
+
+    #[inline]
+    fn contains(&self, point: [f32; 3]) -> bool {
+        match self {
+            Self::Grid(grid) => grid.contains(point),
+            Self::Octree(octree) => octree.contains(point),
+        }
+    }
+
+    #[inline]
+    fn value(&self, point: [f32; 3]) -> f32 {
+        match self {
+            Self::Grid(grid) => Shape::value(grid, point),
+            Self::Octree(octree) => Shape::value(octree, point),
+        }
+    }
+
+    #[inline]
+    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        match self {
+            Self::Grid(grid) => Shape::evaluate(grid, point),
+            Self::Octree(octree) => Shape::evaluate(octree, point),
+        }
+    }
+
+    #[inline]
+    fn as_octree(&self) -> Option<&Octree<'a>> {
+        match self {
+            Self::Octree(octree) => Some(octree),
+            Self::Grid(_) => None,
+        }
+    }
+}
+
+impl<'a> Shape<'a> for Grid<'a> {
+    fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error> {
+        Self::open(bytes, bounds)
+    }
+
+    fn validate(&self) -> Result<(), Error> {
+        validate_grid::grid(self)
+    }
+
+    #[inline]
+    fn contains(&self, point: [f32; 3]) -> bool {
+        self.contains(point)
+    }
+
+    #[inline]
+    fn value(&self, point: [f32; 3]) -> f32 {
+        let (cell, local) = self.locate(point);
+        self.value(cell, local)
+    }
+
+    #[inline]
+    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        let (cell, local) = self.locate(point);
+        self.evaluate(cell, local)
+    }
+
+    #[inline]
+    fn as_octree(&self) -> Option<&Octree<'a>> {
+        None
+    }
+}
+
+impl<'a> Shape<'a> for Octree<'a> {
+    fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error> {
+        Self::open(bytes, bounds)
+    }
+
+    fn validate(&self) -> Result<(), Error> {
+        validate::octree(self)
+    }
+
+    #[inline]
+    fn contains(&self, point: [f32; 3]) -> bool {
+        self.contains(point)
+    }
+
+    #[inline]
+    fn value(&self, point: [f32; 3]) -> f32 {
+        let (leaf, local) = self.locate(point);
+        self.value(&leaf, local)
+    }
+
+    #[inline]
+    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        let (leaf, local) = self.locate(point);
+        self.evaluate(&leaf, local)
+    }
+
+    #[inline]
+    fn as_octree(&self) -> Option<&Octree<'a>> {
+        Some(self)
+    }
+}
