@@ -79,6 +79,7 @@ impl<'a> Field<'a> {
         let shape = match header::family_of(bytes)? {
             Family::Grid => Shape::Grid(Grid::open(bytes, bounds)?),
             Family::Octree => Shape::Octree(Octree::open(bytes, bounds)?),
+            Family::Polynomial => return Err(Error::Family),
         };
         Ok(Self { shape, bytes })
     }
