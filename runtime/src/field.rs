@@ -29,7 +29,7 @@ impl Shape<'_> {
     fn contains(&self, point: [f32; 3]) -> bool {
         match self {
             Self::Grid(grid) => grid.contains(point),
-            Self::Octree(octree) => octree.contains(point),
+            Self::Octree(octree) => octree.lattice.contains(point),
         }
     }
 
