@@ -43,6 +43,7 @@
 #[cfg(test)]
 extern crate std;
 
+mod blend;
 mod bytes;
 mod checksum;
 mod cursor;
@@ -57,18 +58,23 @@ mod instance;
 mod lattice;
 pub mod layout;
 mod leaf;
+mod legendre;
 mod march;
 mod math;
 mod octree;
 mod polynomial;
+mod polynomial_leaf;
+mod polynomial_octree;
 mod range;
 mod reconstruct;
+mod region;
 pub mod sample;
 mod section;
 #[cfg(test)]
 mod tests;
 mod validate;
 mod validate_grid;
+mod validate_polynomial;
 
 pub use checksum::crc32c;
 pub use cursor::Cursor;
@@ -80,4 +86,5 @@ pub use instance::{Instance, NotASimilarity};
 pub use lattice::Leaf;
 pub use march::{ClosestPoint, RayHit, Raycast};
 pub use octree::{Continuity, Interpolant, Leaves, Octree};
+pub use polynomial_octree::PolynomialOctree;
 pub use section::{Section, Sections};
