@@ -4,7 +4,7 @@
 It is slow and shares nothing with the reader of this repository, so that a mistake in one shows as a disagreement.
 Section numbers refer to SPEC.md. Needs Python 3.9 and nothing else.
 
-    reference_reader.py check FILE...                    one line a file: "valid", or the name of the rule it breaks (§12)
+    reference_reader.py check FILE...                    one line a file: "valid", or the name of the rule it breaks (§13)
     reference_reader.py query FILE POINTS.f32 OUT.f32    three f32 a point; distance, gradient, what another reader may
                                                          differ by in the two: six f32 an answer
     reference_reader.py expect FILE...                   points and answers, as stored beside the vectors, in JSON
@@ -88,7 +88,7 @@ AXES = range(3)
 
 
 class Invalid(Exception):
-    """A rule that a file breaks, by its name in §12."""
+    """A rule that a file breaks, by its name in §13."""
 
 
 def require(condition, rule):

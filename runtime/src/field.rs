@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, ErrorContract, Family, Header};
 use crate::octree::Octree;
+use crate::polynomial_octree::PolynomialOctree;
 use crate::representation::{Any, Representation, Shape};
 use crate::section::{self, Sections};
 use crate::{math, validate};
@@ -14,7 +15,8 @@ use crate::{math, validate};
 /// Copying a field copies a few numbers and two references, never the bytes.
 ///
 /// A field reads files of every family. A program that knows which one it has leaves the others out by
-/// [`open_octree`](Field::open_octree) or [`open_grid`](Field::open_grid).
+/// [`open_octree`](Field::open_octree), [`open_polynomial_octree`](Field::open_polynomial_octree) or
+/// [`open_grid`](Field::open_grid).
 #[derive(Clone, Copy, Debug)]
 pub struct Field<'a, R = Any<'a>> {
     shape: R,
@@ -29,7 +31,7 @@ impl<'a> Field<'a> {
     ///
     /// # Errors
     ///
-    /// The first rule of `SPEC.md` §3 to §5 and §11 that the bytes break.
+    /// The first rule of `SPEC.md` §3 to §5, §11 and §12 that the bytes break.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         open(bytes, None)
     }
@@ -43,7 +45,15 @@ impl<'a> Field<'a> {
     pub fn grid(&self) -> Option<Grid<'a>> {
         match self.shape {
             Any::Grid(grid) => Some(grid),
-            Any::Octree(_) => None,
+            _ => None,
+        }
+    }
+
+    /// The octree of polynomials, for those who walk its leaves; `None` for another family.
+    pub fn polynomial_octree(&self) -> Option<PolynomialOctree<'a>> {
+        match self.shape {
+            Any::Polynomial(octree) => Some(octree),
+            _ => None,
         }
     }
 }
@@ -56,6 +66,17 @@ impl<'a> Field<'a, Octree<'a>> {
     /// As there; [`Error::Family`] also for another family.
     pub fn open_octree(bytes: &'a [u8]) -> Result<Self, Error> {
         open(bytes, Some(Family::Octree))
+    }
+}
+
+impl<'a> Field<'a, PolynomialOctree<'a>> {
+    /// Opens an octree of polynomials, as [`Field::open`] does.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Family`] also for another family.
+    pub fn open_polynomial_octree(bytes: &'a [u8]) -> Result<Self, Error> {
+        open(bytes, Some(Family::Polynomial))
     }
 }
 
@@ -90,7 +111,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     ///
     /// # Errors
     ///
-    /// The first rule of `SPEC.md` §4 to §8 and §11 that the bytes break.
+    /// The first rule of `SPEC.md` §4 to §8, §11 and §12 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
         self.shape.validate()

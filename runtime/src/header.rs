@@ -23,6 +23,8 @@ pub enum Family {
     Grid,
     /// Adaptive cells.
     Octree,
+    /// Adaptive cells of quantized polynomials.
+    Polynomial,
 }
 
 /// How the baker told inside from outside.
@@ -166,6 +168,7 @@ pub(crate) fn family_of(bytes: &[u8]) -> Result<Family, Error> {
     match u8_at(bytes, at::FAMILY) {
         family::GRID => Ok(Family::Grid),
         family::OCTREE => Ok(Family::Octree),
+        family::POLYNOMIAL => Ok(Family::Polynomial),
         _ => Err(Error::Family),
     }
 }

@@ -117,6 +117,8 @@ pub mod family {
     pub const GRID: u8 = 1;
     /// Adaptive cells (Pujol and Chica 2023).
     pub const OCTREE: u8 = 2;
+    /// Adaptive cells of quantized polynomials (after Koschier et al. 2016).
+    pub const POLYNOMIAL: u8 = 3;
 }
 
 /// How the baker found the sign (`header::SIGN_METHOD`).
@@ -141,6 +143,16 @@ pub mod section {
     pub const GRID: u32 = u32::from_le_bytes(*b"GRID");
     /// Base distances of the bricks of a grid.
     pub const BASES: u32 = u32::from_le_bytes(*b"BASE");
+    /// Parameters of a polynomial octree.
+    pub const POLYNOMIAL: u32 = u32::from_le_bytes(*b"PTRE");
+    /// Root words of a polynomial octree.
+    pub const ROOTS: u32 = u32::from_le_bytes(*b"ROOT");
+    /// Shapes of the leaves of a polynomial octree.
+    pub const SHAPES: u32 = u32::from_le_bytes(*b"SHPE");
+    /// Records of the inner nodes of a polynomial octree.
+    pub const RECORDS: u32 = u32::from_le_bytes(*b"TREE");
+    /// Leaves of a polynomial octree.
+    pub const LEAVES: u32 = u32::from_le_bytes(*b"LEAF");
 }
 
 /// Byte ranges within the section of octree parameters.
@@ -311,6 +323,125 @@ pub mod range {
     pub const BRICK: u8 = 1;
 }
 
+/// Byte ranges within the section of the parameters of a polynomial octree. Lattice and root edge have the limits of
+/// [`octree`].
+pub mod polynomial {
+    use super::Range;
+
+    /// Three `u16`, cells of the root grid along x, y, z.
+    pub const ROOT_CELLS: Range<usize> = 0..6;
+    /// `u8`, levels below the root grid.
+    pub const DEPTH: usize = 6;
+    /// `u8`, bits of the shape of a leaf, 1 to [`MAX_SHAPE_BITS`].
+    pub const SHAPE_BITS: usize = 7;
+    /// `u8`, one of [`continuity`](super::continuity).
+    pub const CONTINUITY: usize = 8;
+    /// Three bytes, reserved.
+    pub const RESERVED: Range<usize> = 9..12;
+    /// `f32`, edge of a root cell, mesh units.
+    pub const ROOT_EDGE: Range<usize> = 12..16;
+    /// `f32`, step of a coefficient of exponent 0, mesh units.
+    pub const QUANTUM: Range<usize> = 16..20;
+    /// `f32`, how far a leaf reaches beyond its cell, as a share of the cell's edge; 0 if it does not.
+    pub const OVERLAP: Range<usize> = 20..24;
+    /// `u32`, leaves of the tree.
+    pub const LEAF_COUNT: Range<usize> = 24..28;
+
+    /// Bytes of the section.
+    pub const LENGTH: usize = LEAF_COUNT.end;
+
+    /// Most bits of the shape of a leaf.
+    pub const MAX_SHAPE_BITS: u8 = 10;
+    /// Least overlap that is not 0.
+    pub const MIN_OVERLAP: f32 = 1.0 / 64.0;
+    /// Greatest overlap.
+    pub const MAX_OVERLAP: f32 = 0.25;
+    /// Highest total degree of a polynomial.
+    pub const MAX_DEGREE: u8 = 3;
+}
+
+/// Root words of a polynomial octree.
+pub mod root_word {
+    /// Bit of a leaf. The others are the byte of the leaf in the section of leaves, or the number of the record.
+    pub const LEAF: u32 = 1 << 31;
+}
+
+/// Byte ranges within the record of an inner node of a polynomial octree.
+pub mod record {
+    use super::Range;
+
+    /// `u8`: bit i is set if child i = x | y << 1 | z << 2 is an inner node.
+    pub const INNER: usize = 0;
+    /// Seven `u8`, for children 1 to 7: how many children before it are inner nodes if it is one, otherwise how many
+    /// bytes the leaves before it take.
+    pub const STARTS: Range<usize> = 1..8;
+    /// 48 bits: [`CHILD_BITS`] of the number of the record of the first inner child, then the byte of the first leaf
+    /// in the section of leaves.
+    pub const FIRST: Range<usize> = 8..14;
+
+    /// Bytes of a record.
+    pub const LENGTH: usize = FIRST.end;
+
+    /// Bits of the number of a record.
+    pub const CHILD_BITS: u32 = 21;
+    /// Bits of the byte of a leaf.
+    pub const LEAF_BITS: u32 = 27;
+}
+
+/// Byte ranges within a shape: how the leaves that name it are made.
+pub mod shape {
+    use super::Range;
+
+    /// `u8`, one of [`kind`](super::kind).
+    pub const KIND: usize = 0;
+    /// Two `u8`, total degrees of the first and the second polynomial.
+    pub const DEGREES: Range<usize> = 1..3;
+    /// `u8`: the step of the coefficients is the quantum times two to this power.
+    pub const EXPONENT: usize = 3;
+    /// Four `u8`, bits of the coefficients of degree 0 to 3.
+    pub const WIDTHS: Range<usize> = 4..8;
+
+    /// Bytes of a shape.
+    pub const LENGTH: usize = WIDTHS.end;
+
+    /// Greatest exponent.
+    pub const MAX_EXPONENT: u8 = 15;
+    /// Most bits of a coefficient of degree 0.
+    pub const MAX_CONSTANT_BITS: u8 = 24;
+    /// Most bits of another.
+    pub const MAX_COEFFICIENT_BITS: u8 = 16;
+}
+
+/// What a leaf makes of its polynomials (`shape::KIND`).
+pub mod kind {
+    /// It has only one.
+    pub const SINGLE: u8 = 0;
+    /// The lesser of two.
+    pub const MIN: u8 = 1;
+    /// The greater of two.
+    pub const MAX: u8 = 2;
+}
+
+/// Leaves of a polynomial octree: bit strings.
+pub mod leaf {
+    /// Bits of the support code, after the shape, if leaves overlap.
+    pub const SUPPORT_BITS: u32 = 2;
+    /// Greatest support code.
+    pub const MAX_SUPPORT: u32 = (1 << SUPPORT_BITS) - 1;
+    /// Bits of the reach code, after the support code, if leaves overlap.
+    pub const REACH_BITS: u32 = 2;
+    /// Greatest reach code.
+    pub const MAX_REACH: u32 = (1 << REACH_BITS) - 1;
+    /// How many times finer a leaf may be than one that it touches, if leaves overlap, in levels.
+    pub const MAX_LEVELS_APART: u32 = 5;
+    /// Most bytes of a leaf.
+    pub const MAX_LENGTH: usize = 40;
+    /// Zero bytes after the last leaf, so that a reader may load more than a leaf at once.
+    pub const PADDING: usize = 72;
+}
+
+const _: () = assert!(polynomial::LENGTH.is_multiple_of(4), "sections are whole words");
+const _: () = assert!(record::CHILD_BITS + record::LEAF_BITS == 48, "the last six bytes of a record");
 const _: () = assert!(grid::LENGTH.is_multiple_of(4), "sections are whole words");
 const _: () = assert!(header::LENGTH <= 128, "design: a header of at most 128 bytes");
 const _: () = assert!(header::LENGTH.is_multiple_of(4), "sections start on words");

@@ -43,6 +43,7 @@
 #[cfg(test)]
 extern crate std;
 
+mod blend;
 mod bytes;
 mod checksum;
 mod cursor;
@@ -54,14 +55,19 @@ mod header;
 mod hermite;
 mod implied;
 mod instance;
+mod lattice;
 pub mod layout;
 mod leaf;
+mod legendre;
 mod march;
 mod math;
 mod octree;
 mod polynomial;
+mod polynomial_leaf;
+mod polynomial_octree;
 mod range;
 mod reconstruct;
+mod region;
 mod representation;
 pub mod sample;
 mod section;
@@ -69,6 +75,7 @@ mod section;
 mod tests;
 mod validate;
 mod validate_grid;
+mod validate_polynomial;
 
 pub use checksum::crc32c;
 pub use cursor::Cursor;
@@ -77,7 +84,9 @@ pub use field::Field;
 pub use grid::{Grid, GridPrecision, Reconstruction};
 pub use header::{Aabb, ErrorContract, ErrorStatistics, Family, Header, SignMethod};
 pub use instance::{Instance, NotASimilarity};
+pub use lattice::Leaf;
 pub use march::{ClosestPoint, RayHit, Raycast};
-pub use octree::{Continuity, Interpolant, Leaf, Leaves, Octree};
+pub use octree::{Continuity, Interpolant, Leaves, Octree};
+pub use polynomial_octree::PolynomialOctree;
 pub use representation::{Any, Representation};
 pub use section::{Section, Sections};

@@ -4,9 +4,11 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, Family};
 use crate::octree::Octree;
-use crate::{validate, validate_grid};
+use crate::polynomial_octree::PolynomialOctree;
+use crate::{validate, validate_grid, validate_polynomial};
 
-/// What a [`Field`](crate::Field) is made of: an [`Octree`], a [`Grid`], or [`Any`] of them, as the file has it.
+/// What a [`Field`](crate::Field) is made of: an [`Octree`], a [`PolynomialOctree`], a
+/// [`Grid`], or [`Any`] of them, as the file has it.
 ///
 /// A program that reads one family alone says so, and the others are not linked into it.
 pub trait Representation<'a>: Shape<'a> {}
@@ -40,17 +42,21 @@ pub enum Any<'a> {
     Grid(Grid<'a>),
     /// Adaptive cells.
     Octree(Octree<'a>),
+    /// Adaptive cells of polynomials.
+    Polynomial(PolynomialOctree<'a>),
 }
 
 impl<'a> Representation<'a> for Any<'a> {}
 impl<'a> Representation<'a> for Grid<'a> {}
 impl<'a> Representation<'a> for Octree<'a> {}
+impl<'a> Representation<'a> for PolynomialOctree<'a> {}
 
 impl<'a> Shape<'a> for Any<'a> {
     fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error> {
         match header::family_of(bytes)? {
             Family::Grid => Grid::open(bytes, bounds).map(Self::Grid),
             Family::Octree => Octree::open(bytes, bounds).map(Self::Octree),
+            Family::Polynomial => PolynomialOctree::open(bytes, bounds).map(Self::Polynomial),
         }
     }
 
@@ -58,6 +64,7 @@ impl<'a> Shape<'a> for Any<'a> {
         match self {
             Self::Grid(grid) => validate_grid::grid(grid),
             Self::Octree(octree) => validate::octree(octree),
+            Self::Polynomial(octree) => validate_polynomial::octree(octree),
         }
     }
 
@@ -65,7 +72,8 @@ impl<'a> Shape<'a> for Any<'a> {
     fn contains(&self, point: [f32; 3]) -> bool {
         match self {
             Self::Grid(grid) => grid.contains(point),
-            Self::Octree(octree) => octree.contains(point),
+            Self::Octree(octree) => octree.lattice.contains(point),
+            Self::Polynomial(octree) => octree.lattice.contains(point),
         }
     }
 
@@ -74,6 +82,7 @@ impl<'a> Shape<'a> for Any<'a> {
         match self {
             Self::Grid(grid) => Shape::value(grid, point),
             Self::Octree(octree) => Shape::value(octree, point),
+            Self::Polynomial(octree) => Shape::value(octree, point),
         }
     }
 
@@ -82,6 +91,7 @@ impl<'a> Shape<'a> for Any<'a> {
         match self {
             Self::Grid(grid) => Shape::evaluate(grid, point),
             Self::Octree(octree) => Shape::evaluate(octree, point),
+            Self::Polynomial(octree) => Shape::evaluate(octree, point),
         }
     }
 
@@ -89,7 +99,7 @@ impl<'a> Shape<'a> for Any<'a> {
     fn as_octree(&self) -> Option<&Octree<'a>> {
         match self {
             Self::Octree(octree) => Some(octree),
-            Self::Grid(_) => None,
+            _ => None,
         }
     }
 }
@@ -137,7 +147,7 @@ impl<'a> Shape<'a> for Octree<'a> {
 
     #[inline]
     fn contains(&self, point: [f32; 3]) -> bool {
-        self.contains(point)
+        self.lattice.contains(point)
     }
 
     #[inline]
@@ -155,5 +165,35 @@ impl<'a> Shape<'a> for Octree<'a> {
     #[inline]
     fn as_octree(&self) -> Option<&Octree<'a>> {
         Some(self)
+    }
+}
+
+impl<'a> Shape<'a> for PolynomialOctree<'a> {
+    fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error> {
+        Self::open(bytes, bounds)
+    }
+
+    fn validate(&self) -> Result<(), Error> {
+        validate_polynomial::octree(self)
+    }
+
+    #[inline]
+    fn contains(&self, point: [f32; 3]) -> bool {
+        self.lattice.contains(point)
+    }
+
+    #[inline]
+    fn value(&self, point: [f32; 3]) -> f32 {
+        self.query(point).0
+    }
+
+    #[inline]
+    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        self.query(point)
+    }
+
+    #[inline]
+    fn as_octree(&self) -> Option<&Octree<'a>> {
+        None
     }
 }

@@ -1,4 +1,4 @@
-//! Files that every reader must refuse, each for one reason, and the name of the reason (§12).
+//! Files that every reader must refuse, each for one reason, and the name of the reason (§13).
 //!
 //! Each is a valid file with one change, under the right checksums unless the checksum is the change.
 

@@ -130,6 +130,28 @@ enum NearfieldResult
   NEARFIELD_RESULT_GRADIENT_CODE = 39,
   // A floating-point component of a sample is not finite or too large (§8).
   NEARFIELD_RESULT_SAMPLE_VALUE = 40,
+  // The bits of a shape are none or too many (§12.1).
+  NEARFIELD_RESULT_SHAPE_BITS = 41,
+  // The overlap is neither 0 nor in its range (§12.1).
+  NEARFIELD_RESULT_OVERLAP = 42,
+  // The section of root words is longer than the root grid (§12.2).
+  NEARFIELD_RESULT_ROOT_LENGTH = 43,
+  // A root word or a record names another record than its order does, or there are more records (§12.3).
+  NEARFIELD_RESULT_RECORD_ORDER = 44,
+  // A root word or a record names another byte for a leaf than its order does (§12.3).
+  NEARFIELD_RESULT_LEAF_ORDER = 45,
+  // A leaf is too long, or the section of leaves is not as long as they and the padding (§12.5).
+  NEARFIELD_RESULT_LEAF_LENGTH = 46,
+  // A leaf names a shape that there is not (§12.5).
+  NEARFIELD_RESULT_LEAF_SHAPE = 47,
+  // The kind, a degree, a width or the exponent of a shape is out of range (§12.4).
+  NEARFIELD_RESULT_SHAPE = 48,
+  // The shapes are too many or not in ascending order (§12.4).
+  NEARFIELD_RESULT_SHAPE_ORDER = 49,
+  // Leaves that overlap touch at levels too far apart (§12.6).
+  NEARFIELD_RESULT_LEVELS_APART = 50,
+  // The support or the reach of a leaf is not what the tree makes it (§12.6).
+  NEARFIELD_RESULT_OVERLAP_CODES = 51,
   // A pointer is NULL that may not be.
   NEARFIELD_RESULT_NULL = 256,
   // The handle of the field is not open.

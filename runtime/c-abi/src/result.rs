@@ -89,6 +89,28 @@ pub enum NearfieldResult {
     GradientCode = 39,
     /// A floating-point component of a sample is not finite or too large (§8).
     SampleValue = 40,
+    /// The bits of a shape are none or too many (§12.1).
+    ShapeBits = 41,
+    /// The overlap is neither 0 nor in its range (§12.1).
+    Overlap = 42,
+    /// The section of root words is longer than the root grid (§12.2).
+    RootLength = 43,
+    /// A root word or a record names another record than its order does, or there are more records (§12.3).
+    RecordOrder = 44,
+    /// A root word or a record names another byte for a leaf than its order does (§12.3).
+    LeafOrder = 45,
+    /// A leaf is too long, or the section of leaves is not as long as they and the padding (§12.5).
+    LeafLength = 46,
+    /// A leaf names a shape that there is not (§12.5).
+    LeafShape = 47,
+    /// The kind, a degree, a width or the exponent of a shape is out of range (§12.4).
+    Shape = 48,
+    /// The shapes are too many or not in ascending order (§12.4).
+    ShapeOrder = 49,
+    /// Leaves that overlap touch at levels too far apart (§12.6).
+    LevelsApart = 50,
+    /// The support or the reach of a leaf is not what the tree makes it (§12.6).
+    OverlapCodes = 51,
     /// A pointer is NULL that may not be.
     Null = 256,
     /// The handle of the field is not open.
@@ -141,7 +163,8 @@ errors! {
     SectionDuplicate SectionMissing SectionChecksum OctreeLength OctreeLattice Interpolant Continuity OctreeScale
     OctreeBounds NodeLength NodeTag NodeOrder NodeDepth LeafCount BlockOrder BlockPresent BlockFull BlockPrecision
     BlockBase GridLength GridResolution GridReconstruction GridPrecision GridScale GridBounds GridSamples GradientCode
-    SampleValue
+    SampleValue ShapeBits Overlap RootLength RecordOrder LeafOrder LeafLength LeafShape Shape ShapeOrder LevelsApart
+    OverlapCodes
 }
 
 /// A result in words, zero-terminated, for ever. Never NULL, whatever the number.

@@ -6,8 +6,8 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::layout::{
-    self, block, continuity, family, grid, header, interpolant, limit, node, octree, packed_sample, precision, range,
-    reconstruction, section, section_entry, sign_method,
+    self, block, continuity, family, grid, header, interpolant, kind, leaf, limit, node, octree, packed_sample,
+    polynomial, precision, range, reconstruction, record, root_word, section, section_entry, shape, sign_method,
 };
 use crate::sample::decode_gradient;
 
@@ -142,12 +142,46 @@ fn byte_ranges() {
         ],
         grid::LENGTH,
     );
+    expect_ranges(
+        "### 12.1 Parameters",
+        &[
+            ("ROOT_CELLS", polynomial::ROOT_CELLS),
+            ("DEPTH", byte(polynomial::DEPTH)),
+            ("SHAPE_BITS", byte(polynomial::SHAPE_BITS)),
+            ("CONTINUITY", byte(polynomial::CONTINUITY)),
+            ("RESERVED", polynomial::RESERVED),
+            ("ROOT_EDGE", polynomial::ROOT_EDGE),
+            ("QUANTUM", polynomial::QUANTUM),
+            ("OVERLAP", polynomial::OVERLAP),
+            ("LEAF_COUNT", polynomial::LEAF_COUNT),
+        ],
+        polynomial::LENGTH,
+    );
+    expect_ranges(
+        "### 12.3 Records",
+        &[("INNER", byte(record::INNER)), ("STARTS", record::STARTS), ("FIRST", record::FIRST)],
+        record::LENGTH,
+    );
+    expect_ranges(
+        "### 12.4 Shapes",
+        &[
+            ("KIND", byte(shape::KIND)),
+            ("DEGREES", shape::DEGREES),
+            ("EXPONENT", byte(shape::EXPONENT)),
+            ("WIDTHS", shape::WIDTHS),
+        ],
+        shape::LENGTH,
+    );
 }
 
 #[test]
 fn codes() {
     let value = u32::from;
-    expect_values("### 3.5 Family", &[("GRID", value(family::GRID)), ("OCTREE", value(family::OCTREE))]);
+    let families =
+        [("GRID", value(family::GRID)), ("OCTREE", value(family::OCTREE)), ("POLYNOMIAL", value(family::POLYNOMIAL))];
+    expect_values("### 3.5 Family", &families);
+    let kinds = [("SINGLE", value(kind::SINGLE)), ("MIN", value(kind::MIN)), ("MAX", value(kind::MAX))];
+    expect_values("### 12.4 Shapes", &kinds);
     let ranges = [("FILE", value(range::FILE)), ("BRICK", value(range::BRICK))];
     expect_values("### 11.2 Range", &ranges);
     let reconstructions = [
@@ -188,6 +222,11 @@ fn codes() {
         ("SAMPLES".to_string(), section::SAMPLES),
         ("GRID".to_string(), section::GRID),
         ("BASES".to_string(), section::BASES),
+        ("POLYNOMIAL".to_string(), section::POLYNOMIAL),
+        ("ROOTS".to_string(), section::ROOTS),
+        ("SHAPES".to_string(), section::SHAPES),
+        ("RECORDS".to_string(), section::RECORDS),
+        ("LEAVES".to_string(), section::LEAVES),
     ];
     assert_eq!(kinds, expected);
 }
@@ -208,6 +247,16 @@ fn limits() {
         ("MIN_RESOLUTION", f64::from(grid::MIN_RESOLUTION)),
         ("BRICK_EDGE", f64::from(grid::BRICK_EDGE)),
         ("MAX_ANISOTROPY", f64::from(grid::MAX_ANISOTROPY)),
+        ("MAX_SHAPE_BITS", f64::from(polynomial::MAX_SHAPE_BITS)),
+        ("MIN_OVERLAP", f64::from(polynomial::MIN_OVERLAP)),
+        ("MAX_OVERLAP", f64::from(polynomial::MAX_OVERLAP)),
+        ("MAX_DEGREE", f64::from(polynomial::MAX_DEGREE)),
+        ("MAX_EXPONENT", f64::from(shape::MAX_EXPONENT)),
+        ("MAX_CONSTANT_BITS", f64::from(shape::MAX_CONSTANT_BITS)),
+        ("MAX_COEFFICIENT_BITS", f64::from(shape::MAX_COEFFICIENT_BITS)),
+        ("MAX_LEVELS_APART", f64::from(leaf::MAX_LEVELS_APART)),
+        ("MAX_LENGTH", leaf::MAX_LENGTH as f64),
+        ("PADDING", leaf::PADDING as f64),
     ];
     let found: Vec<_> = rows("### 1.4 Limits")
         .iter()
@@ -235,6 +284,11 @@ fn bit_fields() {
     };
     assert_eq!(bits("## 6. Nodes", "OFFSET"), (node::OFFSET_BITS, 0));
     assert_eq!(bits("## 6. Nodes", "TAG"), (32 - node::OFFSET_BITS, node::OFFSET_BITS));
+    let root_leaf = root_word::LEAF.trailing_zeros();
+    assert_eq!(bits("### 12.2 Root words", "OFFSET"), (root_leaf, 0));
+    assert_eq!(bits("### 12.2 Root words", "LEAF"), (1, root_leaf));
+    let first = std::format!("`CHILD:{0} at 0`, `LEAF:{1} at {0}`", record::CHILD_BITS, record::LEAF_BITS);
+    assert!(SPECIFICATION.contains(&first), "{first}");
     assert_eq!(bits("### 7.1 Block header", "PRESENT"), (block::LATTICE, 0));
     let precision_bits = block::PRECISION_MASK.count_ones();
     assert_eq!(bits("### 7.1 Block header", "PRECISION"), (precision_bits, block::PRECISION_SHIFT));
