@@ -99,7 +99,7 @@ impl<'a> Field<'a> {
         match &self.shape {
             Shape::Grid(grid) => validate_grid::grid(grid),
             Shape::Octree(octree) => validate::octree(octree),
-            Shape::Polynomial(octree) => validate_polynomial::octree(octree),
+            Shape::Polynomial(octree) => validate_polynomial::octree(self.bytes, octree),
         }
     }
 
