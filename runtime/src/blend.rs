@@ -65,8 +65,11 @@ impl PolynomialOctree<'_> {
         let per_half = 2.0 / self.edge(own.level);
         let gradient = slope.map(|part| part * per_half);
 
+        // For each support code: half the edge of a leaf over twice the distance by which it reaches beyond its cell.
+        let steepness = 0.25 / self.overlap();
+        let steepness = |support: u32| steepness * (1 << support) as f32;
         let mut sums = Sums::default();
-        sums.add(Weight::at(local, self.steepness(support)), per_half, 0.0, gradient);
+        sums.add(Weight::at(local, steepness(support)), per_half, 0.0, gradient);
         let mut is_alone = true;
         let mut other = Polynomials::default();
         for leaf in self.around(own, position, reach) {
@@ -75,7 +78,7 @@ impl PolynomialOctree<'_> {
             }
             let bits = Bits::at(self, leaf.place);
             let local = self::local(&leaf, position);
-            let weight = Weight::at(local, self.steepness(bits.overlap_codes(self).0));
+            let weight = Weight::at(local, steepness(bits.overlap_codes(self).0));
             if weight.value > 0.0 {
                 is_alone = false;
                 bits.decode(self, &mut other);
@@ -105,12 +108,6 @@ impl PolynomialOctree<'_> {
         let low = position.map(|part| (part - margin) as u32);
         let high = position.map(|part| (part + margin) as u32);
         Region::new(self, self.lattice.clamp(low), self.lattice.clamp(high))
-    }
-
-    /// Half the edge of a leaf over twice the distance by which it reaches beyond its cell.
-    #[inline]
-    fn steepness(&self, support: u32) -> f32 {
-        self.steepness_of_support_0 * (1 << support) as f32
     }
 }
 

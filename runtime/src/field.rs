@@ -114,7 +114,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     /// The first rule of `SPEC.md` §4 to §8, §11 and §12 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
-        self.shape.validate()
+        self.shape.validate(self.bytes)
     }
 
     /// Signed distance from a point to the surface: mesh units, negative inside.
@@ -124,7 +124,10 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     /// [`f32::MAX`]. NaN if a coordinate is NaN, infinite if one is infinite.
     #[inline]
     pub fn distance(&self, point: [f32; 3]) -> f32 {
-        if self.shape.contains(point) { self.shape.value(point) } else { self.outside(point).0 }
+        // One call for points inside and outside: its code is there once.
+        let beyond = if self.shape.contains(point) { None } else { Some(self.beyond(point)) };
+        let value = self.shape.value(beyond.as_ref().map_or(point, |beyond| beyond.nearest));
+        beyond.map_or(value, |beyond| beyond.answer(value).0)
     }
 
     /// Signed distance, as [`distance`](Self::distance) to the bit, and gradient.
@@ -134,7 +137,9 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     /// in all components if a coordinate is NaN; infinite coordinates outweigh all others.
     #[inline]
     pub fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        if self.shape.contains(point) { self.shape.evaluate(point) } else { self.outside(point) }
+        let beyond = if self.shape.contains(point) { None } else { Some(self.beyond(point)) };
+        let answer = self.shape.evaluate(beyond.as_ref().map_or(point, |beyond| beyond.nearest));
+        beyond.map_or(answer, |beyond| beyond.answer(answer.0))
     }
 
     /// [`distance`](Self::distance) at each point. Stops at the shorter slice; returns how many
@@ -187,23 +192,40 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         self.shape.as_octree()
     }
 
-    /// The answer for a point that the box does not contain.
+    /// How a point that the box does not contain lies to it.
     #[cold]
-    fn outside(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+    #[inline(never)]
+    fn beyond(&self, point: [f32; 3]) -> Beyond {
+        let Aabb { min, max } = header::bounds_of(self.bytes);
         if point.iter().any(|component| component.is_nan()) {
-            return (f32::NAN, [f32::NAN; 3]);
+            return Beyond { nearest: min, distance: f32::NAN, direction: [f32::NAN; 3] };
         }
         if point.iter().any(|component| component.is_infinite()) {
             let toward = point.map(|x| if x.is_infinite() { 1.0_f32.copysign(x) } else { 0.0 });
-            return (f32::INFINITY, math::length_and_direction(toward).1);
+            return Beyond { nearest: min, distance: f32::INFINITY, direction: math::length_and_direction(toward).1 };
         }
 
-        let Aabb { min, max } = header::bounds_of(self.bytes);
         let nearest = [0, 1, 2].map(|axis: usize| point[axis].max(min[axis]).min(max[axis]));
         let away = [0, 1, 2].map(|axis: usize| point[axis] - nearest[axis]);
-        let (distance_to_box, direction) = math::length_and_direction(away);
+        let (distance, direction) = math::length_and_direction(away);
+        Beyond { nearest, distance, direction }
+    }
+}
 
-        let distance = self.shape.value(nearest) + distance_to_box;
-        (distance.min(f32::MAX), direction)
+/// A point outside the box, seen from it.
+struct Beyond {
+    /// Nearest point of the box.
+    nearest: [f32; 3],
+    /// From there to the point: at most [`f32::MAX`], or what a point that is not finite makes it.
+    distance: f32,
+    direction: [f32; 3],
+}
+
+impl Beyond {
+    /// The answer for the point, from the value at the nearest point of the box.
+    fn answer(self, value: f32) -> (f32, [f32; 3]) {
+        let is_finite = self.distance <= f32::MAX;
+        let distance = if is_finite { (value + self.distance).min(f32::MAX) } else { self.distance };
+        (distance, self.direction)
     }
 }

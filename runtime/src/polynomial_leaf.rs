@@ -92,7 +92,7 @@ impl<'a> Bits<'a> {
     pub(crate) fn at(octree: &PolynomialOctree<'a>, place: u32) -> Self {
         let window = octree.leaves.get(place as usize..).and_then(<[u8]>::first_chunk).unwrap_or(NOTHING);
         let head = load(window, 0);
-        let shape = octree.shapes.get((head & octree.shape_mask) as usize).copied().unwrap_or_default();
+        let shape = octree.shapes.get((head as u32 & octree.shape_mask) as usize).copied().unwrap_or_default();
         Self { window, head, shape: Shape::new(shape) }
     }
 
@@ -105,7 +105,7 @@ impl<'a> Bits<'a> {
 
     /// Number of the shape.
     pub(crate) fn shape_number(&self, octree: &PolynomialOctree<'_>) -> usize {
-        (self.head & octree.shape_mask) as usize
+        (self.head as u32 & octree.shape_mask) as usize
     }
 
     /// Bits of the leaf.
@@ -114,7 +114,7 @@ impl<'a> Bits<'a> {
         let polynomials = if self.shape.is_single() { 1 } else { 2 };
         let degrees = (0..polynomials).flat_map(|polynomial| 0..=self.shape.degree(polynomial));
         let bits = degrees.map(|degree| self.shape.width(degree as usize & 3) * TERMS[degree as usize & 3]);
-        octree.header_bits + bits.sum::<u32>()
+        u32::from(octree.header_bits) + bits.sum::<u32>()
     }
 
     /// Writes the polynomials.
@@ -126,7 +126,7 @@ impl<'a> Bits<'a> {
         polynomials.step = octree.quantum * shape.factor();
 
         let constant = number((self.head >> octree.header_bits) as u32, shape.width(0));
-        let mut at = octree.header_bits + shape.width(0);
+        let mut at = u32::from(octree.header_bits) + shape.width(0);
         self.read(constant, shape.degree(0), &mut at, &mut polynomials.first);
         if !shape.is_single() {
             let constant = number(load(self.window, at) as u32, shape.width(0));

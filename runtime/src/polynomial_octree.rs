@@ -15,23 +15,17 @@ use crate::section as sections;
 pub struct PolynomialOctree<'a> {
     pub(crate) roots: Words<'a>,
     pub(crate) records: &'a [[u8; record::LENGTH]],
-    /// What of their section is too short for one more.
-    pub(crate) record_padding: &'a [u8],
     pub(crate) shapes: &'a [[u8; shape::LENGTH]],
     pub(crate) leaves: &'a [u8],
     pub(crate) lattice: Lattice,
     /// Step of coefficients of exponent 0, mesh units.
     pub(crate) quantum: f32,
     overlap: f32,
-    /// Half the edge of a leaf whose support code is 0 over twice the distance by which it reaches beyond its cell.
-    pub(crate) steepness_of_support_0: f32,
-    /// For each reach code: beyond which local coordinate another leaf may have a say.
-    alone_within: [f32; 1 << leaf::REACH_BITS],
-    pub(crate) shape_bits: u32,
-    pub(crate) shape_mask: u64,
-    /// Bits of a leaf before its coefficients.
-    pub(crate) header_bits: u32,
     leaf_count: u32,
+    pub(crate) shape_mask: u32,
+    pub(crate) shape_bits: u8,
+    /// Bits of a leaf before its coefficients.
+    pub(crate) header_bits: u8,
 }
 
 /// What the tree has for a cell: a leaf, or an inner node and the number of its record.
@@ -51,6 +45,10 @@ pub(crate) struct Record {
     /// Byte of the first leaf.
     pub(crate) leaf: u32,
 }
+
+/// How far the supports of others reach into a leaf, by its reach code: in overlaps, where half an edge of the leaf is 1.
+/// With a code of 0 everywhere.
+const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.5];
 
 impl Record {
     #[inline]
@@ -90,7 +88,7 @@ impl<'a> PolynomialOctree<'a> {
         let parameters = sections::find_bytes(bytes, section::POLYNOMIAL)?;
         let roots = Words::new(sections::find_bytes(bytes, section::ROOTS)?);
         let shapes = sections::find_bytes(bytes, section::SHAPES)?.as_chunks().0;
-        let (records, record_padding) = sections::find_bytes(bytes, section::RECORDS)?.as_chunks();
+        let records = sections::find_bytes(bytes, section::RECORDS)?.as_chunks().0;
         let leaves = sections::find_bytes(bytes, section::LEAVES)?;
 
         // Small enough to be summed in constant time, and every query rests on it.
@@ -127,23 +125,18 @@ impl<'a> PolynomialOctree<'a> {
             return Err(Error::Continuity);
         }
 
-        // Without overlap no local coordinate is too great, with a reach of 0 none is small enough.
-        let overlaps = overlap != 0.0;
-        let within = |share: f32| 1.0 - 2.0 * overlap * share;
+        let codes = if overlap == 0.0 { 0 } else { leaf::SUPPORT_BITS + leaf::REACH_BITS };
         Ok(Self {
             roots,
             records,
-            record_padding,
             shapes,
             leaves,
             lattice,
             quantum,
             overlap,
-            steepness_of_support_0: if overlaps { 0.25 / overlap } else { 0.0 },
-            alone_within: if overlaps { [-1.0, within(1.0), within(0.5), within(0.25)] } else { [f32::MAX; 4] },
-            shape_bits: shape_bits.into(),
+            shape_bits,
             shape_mask: (1 << shape_bits) - 1,
-            header_bits: u32::from(shape_bits) + if overlaps { leaf::SUPPORT_BITS + leaf::REACH_BITS } else { 0 },
+            header_bits: shape_bits + codes as u8,
             leaf_count: u32_at(parameters, at::LEAF_COUNT),
         })
     }
@@ -256,7 +249,7 @@ impl<'a> PolynomialOctree<'a> {
     ) -> (f32, [f32; 3]) {
         let local = blend::local(leaf, position);
         let [x, y, z] = local.map(f32::abs);
-        if x.max(y).max(z) > self.alone_within[reach as usize & 3] {
+        if x.max(y).max(z) > 1.0 - self.overlap * REACH[reach as usize & 3] {
             return self.blend(leaf, position, polynomials);
         }
         let (value, slope) = polynomials.evaluate(local);

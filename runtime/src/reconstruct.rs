@@ -78,7 +78,8 @@ impl Grid<'_> {
         (value, self.per_unit(slopes))
     }
 
-    /// The reconstructions that are not built for speed.
+    /// The reconstructions that are not built for speed. Apart, so that the others need less stack.
+    #[inline(never)]
     fn rare(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         if self.reconstruction() == Reconstruction::Hermite {
             return triquintic(&self.polynomials(cell), local);
@@ -131,6 +132,7 @@ impl Grid<'_> {
         answers
     }
 
+    #[inline(never)]
     fn polynomial_answers(&self, cell: [u32; 3], [x, y, z]: [f32; 3]) -> Answers {
         let factors = self.factors();
         let mut answers = Answers { value: Corners::default(), slope: [Corners::default(); 3] };

@@ -18,8 +18,8 @@ pub trait Shape<'a>: Copy {
     /// The representation in bytes whose header has been checked.
     fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error>;
 
-    /// Checks the contents of the sections.
-    fn validate(&self) -> Result<(), Error>;
+    /// Checks the contents of the sections of the bytes that it was opened from.
+    fn validate(&self, bytes: &'a [u8]) -> Result<(), Error>;
 
     /// Whether a point lies in the box, faces included. False for a NaN.
     fn contains(&self, point: [f32; 3]) -> bool;
@@ -60,11 +60,11 @@ impl<'a> Shape<'a> for Any<'a> {
         }
     }
 
-    fn validate(&self) -> Result<(), Error> {
+    fn validate(&self, bytes: &'a [u8]) -> Result<(), Error> {
         match self {
             Self::Grid(grid) => validate_grid::grid(grid),
             Self::Octree(octree) => validate::octree(octree),
-            Self::Polynomial(octree) => validate_polynomial::octree(octree),
+            Self::Polynomial(octree) => validate_polynomial::octree(bytes, octree),
         }
     }
 
@@ -109,7 +109,7 @@ impl<'a> Shape<'a> for Grid<'a> {
         Self::open(bytes, bounds)
     }
 
-    fn validate(&self) -> Result<(), Error> {
+    fn validate(&self, _: &'a [u8]) -> Result<(), Error> {
         validate_grid::grid(self)
     }
 
@@ -141,7 +141,7 @@ impl<'a> Shape<'a> for Octree<'a> {
         Self::open(bytes, bounds)
     }
 
-    fn validate(&self) -> Result<(), Error> {
+    fn validate(&self, _: &'a [u8]) -> Result<(), Error> {
         validate::octree(self)
     }
 
@@ -173,8 +173,8 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
         Self::open(bytes, bounds)
     }
 
-    fn validate(&self) -> Result<(), Error> {
-        validate_polynomial::octree(self)
+    fn validate(&self, bytes: &'a [u8]) -> Result<(), Error> {
+        validate_polynomial::octree(bytes, self)
     }
 
     #[inline]

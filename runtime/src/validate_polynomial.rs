@@ -2,16 +2,18 @@
 
 use crate::error::Error;
 use crate::lattice::Leaf;
-use crate::layout::{kind, leaf, polynomial, shape};
+use crate::layout::section::RECORDS;
+use crate::layout::{kind, leaf, polynomial, record, shape};
 use crate::polynomial_leaf::{Bits, Shape};
 use crate::polynomial_octree::{Node, PolynomialOctree, Record};
 use crate::region::Region;
+use crate::section;
 
-/// Checks every shape, every node and every leaf.
+/// Checks every shape, every node and every leaf of a file.
 ///
 /// The order of the file makes it a tree without any memory of what was seen: the next record and the next byte of a
 /// leaf are always known.
-pub(crate) fn octree(octree: &PolynomialOctree<'_>) -> Result<(), Error> {
+pub(crate) fn octree(bytes: &[u8], octree: &PolynomialOctree<'_>) -> Result<(), Error> {
     check_shapes(octree)?;
     let root_count = octree.lattice.root_count() as usize;
     if octree.roots.len() != root_count {
@@ -41,7 +43,8 @@ pub(crate) fn octree(octree: &PolynomialOctree<'_>) -> Result<(), Error> {
     if next.record as usize != octree.records.len() {
         return Err(Error::RecordOrder);
     }
-    check_rest(octree.record_padding, 0)?;
+    let records = section::find_bytes(bytes, RECORDS)?;
+    check_rest(records.as_chunks::<{ record::LENGTH }>().1, 0)?;
     let end = next.place as usize;
     let length = (end + leaf::PADDING).next_multiple_of(4);
     if octree.leaves.len() != length {
@@ -82,7 +85,7 @@ impl Next {
 }
 
 fn check_shapes(octree: &PolynomialOctree<'_>) -> Result<(), Error> {
-    if octree.shapes.len() as u64 > octree.shape_mask + 1 || !octree.shapes.is_sorted_by(|a, b| a < b) {
+    if octree.shapes.len() > octree.shape_mask as usize + 1 || !octree.shapes.is_sorted_by(|a, b| a < b) {
         return Err(Error::ShapeOrder);
     }
     let is_sound = |bytes: &[u8; shape::LENGTH]| {

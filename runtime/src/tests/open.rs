@@ -40,7 +40,7 @@ fn header_rules() {
     assert_eq!(set(header::VERSION_MINOR.start, 1), Some(Error::Version), "from the future");
     assert_eq!(set(header::FILE_LENGTH.start, 1), Some(Error::FileLength));
     assert_eq!(set(header::RESERVED, 1), Some(Error::Reserved));
-    assert_eq!(set(header::FAMILY, 3), Some(Error::Family));
+    assert_eq!(set(header::FAMILY, 4), Some(Error::Family));
     assert_eq!(set(header::SIGN_METHOD, 3), Some(Error::SignMethod));
     assert_eq!(set(header::UNUSED.start, 255), None, "unused bits are ignored");
 
