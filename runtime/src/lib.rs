@@ -44,6 +44,11 @@
 extern crate std;
 
 mod blend;
+/// The programs of the guide.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/reader.md")]
+struct Guide;
+
 mod bytes;
 mod checksum;
 mod cursor;
