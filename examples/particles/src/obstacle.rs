@@ -1,6 +1,6 @@
 //! What particles collide with: a baked field, or the mesh that it was baked from.
 
-use nearfield::Field;
+use nearfield::{Aabb, Field};
 use parry3d::math::Vector;
 use parry3d::query::PointQuery;
 use parry3d::shape::{TriMesh, TriMeshFlags};
@@ -13,21 +13,32 @@ use std::path::Path;
 
 /// A solid.
 pub trait Obstacle {
+    /// A box that holds it.
+    fn bounds(&self) -> Aabb;
+
     /// Signed distance, negative inside, and its gradient.
     fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]);
 }
 
 impl Obstacle for Field<'_> {
+    fn bounds(&self) -> Aabb {
+        self.header().bounds
+    }
+
     fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         self.distance_and_gradient(point)
     }
 }
 
 /// A mesh, with the closest triangle by the tree of bounding boxes of parry3d and the sign by its pseudonormals.
-pub struct Exact(TriMesh);
+pub struct Exact {
+    mesh: TriMesh,
+    bounds: Aabb,
+}
 
 impl Exact {
-    pub fn read(path: &Path) -> Result<Self, Box<dyn Error>> {
+    /// The mesh of a file, to be asked in the same box as its field.
+    pub fn read(path: &Path, bounds: Aabb) -> Result<Self, Box<dyn Error>> {
         let ply = Parser::<DefaultElement>::new().read_ply(&mut BufReader::new(File::open(path)?))?;
         let elements = |name: &str| ply.payload.get(name).ok_or("not a mesh");
         let coordinate = |vertex: &DefaultElement, axis: &str| match vertex.get(axis) {
@@ -46,14 +57,18 @@ impl Exact {
             _ => Err("faces are not triangles"),
         };
         let triangles = elements("face")?.iter().map(triangle).collect::<Result<_, _>>()?;
-        Ok(Self(TriMesh::with_flags(vertices, triangles, TriMeshFlags::ORIENTED)?))
+        Ok(Self { mesh: TriMesh::with_flags(vertices, triangles, TriMeshFlags::ORIENTED)?, bounds })
     }
 }
 
 impl Obstacle for Exact {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
     fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         let point = Vector::from(point);
-        let closest = self.0.project_local_point(point, false);
+        let closest = self.mesh.project_local_point(point, false);
         let away = point - closest.point;
         let (distance, sign) = (away.length(), if closest.is_inside { -1.0 } else { 1.0 });
         (sign * distance, (away * (sign / distance.max(f32::MIN_POSITIVE))).to_array())

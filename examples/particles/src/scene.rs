@@ -1,6 +1,7 @@
 //! Particles that fall on obstacles, bounce off, and start again at the top.
 
 use crate::obstacle::Obstacle;
+use nearfield::Aabb;
 
 /// Seconds of a frame.
 const FRAME: f32 = 1.0 / 60.0;
@@ -38,8 +39,9 @@ impl Scene {
         self.particles.iter().map(|particle| particle.position)
     }
 
-    /// One frame: each particle asks every obstacle once. Returns how many bounced.
+    /// One frame: each particle asks every obstacle whose box it is in. Returns how many touched one.
     pub fn step<O: Obstacle>(&mut self, obstacles: &[O]) -> usize {
+        let boxes: Vec<Aabb> = obstacles.iter().map(Obstacle::bounds).collect();
         let mut particles = std::mem::take(&mut self.particles);
         let mut bounces = 0;
         for particle in &mut particles {
@@ -48,7 +50,10 @@ impl Scene {
             for (position, velocity) in particle.position.iter_mut().zip(particle.velocity) {
                 *position += velocity * FRAME;
             }
-            for obstacle in obstacles {
+            for (obstacle, bounds) in obstacles.iter().zip(&boxes) {
+                if !holds(bounds, particle.position) {
+                    continue;
+                }
                 let (distance, gradient) = obstacle.distance_and_gradient(particle.position);
                 bounces += usize::from(collide(particle, distance - self.radius, gradient));
             }
@@ -72,6 +77,10 @@ impl Scene {
         self.random = self.random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         (self.random >> 8) as f32 / (1 << 24) as f32
     }
+}
+
+fn holds(bounds: &Aabb, point: [f32; 3]) -> bool {
+    (0..3).all(|axis| (bounds.min[axis]..=bounds.max[axis]).contains(&point[axis]))
 }
 
 /// Pushes a particle out of an obstacle and turns its velocity round. Whether it had touched it.
