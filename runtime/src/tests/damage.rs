@@ -32,7 +32,7 @@ fn assert_finite(field: &Field<'_>, random: &mut Random) {
 }
 
 /// How many times Miri, which is some thousand times slower, does less: it looks for what no answer shows.
-const FEWER: usize = if cfg!(miri) { 400 } else { 1 };
+const FEWER: usize = if cfg!(miri) { 1000 } else { 1 };
 
 /// A file with full samples of every kind.
 fn rich() -> File {
