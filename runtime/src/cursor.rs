@@ -4,12 +4,13 @@ use crate::field::Field;
 use crate::hermite::Jets;
 use crate::lattice::Leaf;
 use crate::octree::Octree;
-use crate::representation::{Any, Representation};
+use crate::polynomial_octree::Visit;
+use crate::representation::{Any, Kind, Representation};
 
 /// Answers queries that are near one another: a ray's steps, a particle's path, the points of a row.
 ///
-/// It keeps the corners of the octree leaf of the last query, and a query in the same leaf skips the tree and the decoding.
-/// A grid has nothing to skip. Every answer has the bits that the field alone would give. Some 500 bytes; make one for
+/// It keeps what is in the leaf of the last query, and a query in the same leaf skips the tree and the decoding.
+/// A grid has nothing to skip. Every answer has the bits that the field alone would give. Some 900 bytes; make one for
 /// each thread.
 ///
 /// ```
@@ -23,21 +24,23 @@ pub struct Cursor<'a, R = Any<'a>> {
     field: Field<'a, R>,
     leaf: Option<Leaf>,
     jets: Jets,
+    visit: Visit,
 }
 
 impl<'a, R: Representation<'a>> Cursor<'a, R> {
     pub(crate) fn new(field: Field<'a, R>) -> Self {
-        Self { field, leaf: None, jets: Jets::default() }
+        Self { field, leaf: None, jets: Jets::default(), visit: Visit::default() }
     }
 
     /// [`Field::distance`], to the bit.
     #[inline]
     pub fn distance(&mut self, point: [f32; 3]) -> f32 {
-        match self.field.octree_in_place() {
-            Some(octree) if octree.lattice.contains(point) => {
+        match self.field.kind() {
+            Kind::Octree(octree) if octree.lattice.contains(point) => {
                 let (_, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.value_between(&self.jets, local)
             }
+            Kind::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit).0,
             _ => self.field.distance(point),
         }
     }
@@ -45,11 +48,12 @@ impl<'a, R: Representation<'a>> Cursor<'a, R> {
     /// [`Field::distance_and_gradient`], to the bit.
     #[inline]
     pub fn distance_and_gradient(&mut self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        match self.field.octree_in_place() {
-            Some(octree) if octree.lattice.contains(point) => {
+        match self.field.kind() {
+            Kind::Octree(octree) if octree.lattice.contains(point) => {
                 let (leaf, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.evaluate_between(&leaf, &self.jets, local)
             }
+            Kind::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit),
             _ => self.field.distance_and_gradient(point),
         }
     }

@@ -6,7 +6,7 @@ use crate::grid::Grid;
 use crate::header::{self, Aabb, ErrorContract, Family, Header};
 use crate::octree::Octree;
 use crate::polynomial_octree::PolynomialOctree;
-use crate::representation::{Any, Representation, Shape};
+use crate::representation::{Any, Kind, Representation};
 use crate::section::{self, Sections};
 use crate::{math, validate};
 
@@ -38,7 +38,10 @@ impl<'a> Field<'a> {
 
     /// The octree, for those who walk its leaves; `None` for another family.
     pub fn octree(&self) -> Option<Octree<'a>> {
-        self.shape.as_octree().copied()
+        match self.shape {
+            Any::Octree(octree) => Some(octree),
+            _ => None,
+        }
     }
 
     /// The grid, for those who read its samples; `None` for another family.
@@ -186,10 +189,10 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         section::sections(self.bytes)
     }
 
-    /// The octree, if it is one, where it lies.
+    /// What the field is made of, where it lies.
     #[inline]
-    pub(crate) fn octree_in_place(&self) -> Option<&Octree<'a>> {
-        self.shape.as_octree()
+    pub(crate) fn kind(&self) -> Kind<'_, 'a> {
+        self.shape.kind()
     }
 
     /// How a point that the box does not contain lies to it.

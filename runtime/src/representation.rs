@@ -30,8 +30,16 @@ pub trait Shape<'a>: Copy {
     /// Value and gradient at a point of the box.
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]);
 
-    /// The octree, if it is one, where it lies.
-    fn as_octree(&self) -> Option<&Octree<'a>>;
+    /// Which it is, where it lies. Known to the compiler for all but [`Any`].
+    fn kind(&self) -> Kind<'_, 'a>;
+}
+
+/// Which representation it is.
+#[derive(Clone, Copy)]
+pub enum Kind<'s, 'a> {
+    Grid(&'s Grid<'a>),
+    Octree(&'s Octree<'a>),
+    Polynomial(&'s PolynomialOctree<'a>),
 }
 
 /// Whatever the file has.
@@ -96,10 +104,11 @@ impl<'a> Shape<'a> for Any<'a> {
     }
 
     #[inline]
-    fn as_octree(&self) -> Option<&Octree<'a>> {
+    fn kind(&self) -> Kind<'_, 'a> {
         match self {
-            Self::Octree(octree) => Some(octree),
-            _ => None,
+            Self::Grid(grid) => Kind::Grid(grid),
+            Self::Octree(octree) => Kind::Octree(octree),
+            Self::Polynomial(octree) => Kind::Polynomial(octree),
         }
     }
 }
@@ -131,8 +140,8 @@ impl<'a> Shape<'a> for Grid<'a> {
     }
 
     #[inline]
-    fn as_octree(&self) -> Option<&Octree<'a>> {
-        None
+    fn kind(&self) -> Kind<'_, 'a> {
+        Kind::Grid(self)
     }
 }
 
@@ -163,8 +172,8 @@ impl<'a> Shape<'a> for Octree<'a> {
     }
 
     #[inline]
-    fn as_octree(&self) -> Option<&Octree<'a>> {
-        Some(self)
+    fn kind(&self) -> Kind<'_, 'a> {
+        Kind::Octree(self)
     }
 }
 
@@ -193,7 +202,7 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
     }
 
     #[inline]
-    fn as_octree(&self) -> Option<&Octree<'a>> {
-        None
+    fn kind(&self) -> Kind<'_, 'a> {
+        Kind::Polynomial(self)
     }
 }
