@@ -5,6 +5,8 @@ use nearfield::{Field, Representation};
 
 /// An octree that lies in flash, without any alignment.
 pub static OCTREE: &[u8] = include_bytes!("../fields/octree.nfd");
+/// An octree of polynomials.
+pub static POLYNOMIAL: &[u8] = include_bytes!("../fields/polynomial.nfd");
 /// A grid.
 pub static GRID: &[u8] = include_bytes!("../fields/grid.nfd");
 

@@ -15,7 +15,7 @@ mod board {
     use core::arch::asm;
     use core::hint::black_box;
     use nearfield::{Field, Representation};
-    use nearfield_firmware::{GRID, OCTREE, points};
+    use nearfield_firmware::{GRID, OCTREE, POLYNOMIAL, points};
 
     const POINTS: usize = 200;
     /// Bytes below the stack that are painted before a query.
@@ -24,8 +24,13 @@ mod board {
 
     pub(crate) fn measure() {
         start_counter();
-        if let (Ok(octree), Ok(grid)) = (Field::open_octree(OCTREE), Field::open_grid(GRID)) {
+        if let Ok(octree) = Field::open_octree(OCTREE) {
             report("octree", &octree);
+        }
+        if let Ok(polynomial) = Field::open_polynomial_octree(POLYNOMIAL) {
+            report("polynomial", &polynomial);
+        }
+        if let Ok(grid) = Field::open_grid(GRID) {
             report("grid", &grid);
         }
     }
