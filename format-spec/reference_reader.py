@@ -946,14 +946,13 @@ class PolynomialOctree(Field):
         require(all(1 <= n <= MAX_LATTICE >> self.depth for n in self.root_cells), "OctreeLattice")
         require(MIN_ROOT_EDGE <= self.root_edge <= MAX_MAGNITUDE, "OctreeScale")
         require(MIN_QUANTUM <= self.quantum <= self.root_edge, "OctreeScale")
+        self.roots, self.leaves = words(sections[b"ROOT"][0]), sections[b"LEAF"][0]
+        require(len(self.roots) >= math.prod(self.root_cells), "NodeLength")
         self.check_box(self.root_cells, [self.root_edge] * 3, "OctreeBounds")
         require(1 <= self.shape_bits <= MAX_SHAPE_BITS, "ShapeBits")
         require(self.overlap == 0 or MIN_OVERLAP <= self.overlap <= MAX_OVERLAP, "Overlap")
         require(continuity == (0 if self.overlap == 0 else 2), "Continuity")
         self.overlap = float(self.overlap)
-
-        self.roots, self.leaves = words(sections[b"ROOT"][0]), sections[b"LEAF"][0]
-        require(len(self.roots) >= math.prod(self.root_cells), "NodeLength")
 
     # ---- §12.2 to §12.6: validation ----
 
