@@ -123,8 +123,11 @@ impl Fit {
         for degree in 0..=3 {
             candidates.push(self.quantize(SINGLE, level, [project(truth, degree), Vec::new()]));
             let sides = |other| [project(ball(nearest[0]), degree), project(ball(nearest[1]), other)];
-            candidates.push(self.quantize(MIN, level, sides(degree)));
-            candidates.push(self.quantize(MIN, level, sides(degree.max(1) - 1)));
+            // Two polynomials of degree 3 take more than a leaf may.
+            if degree < 3 {
+                candidates.push(self.quantize(MIN, level, sides(degree)));
+                candidates.push(self.quantize(MIN, level, sides(degree.max(1) - 1)));
+            }
         }
         let fitting = candidates.into_iter().find(|leaf| {
             let error = |point| (self.evaluate(leaf, point).0 - truth(point)).abs();
