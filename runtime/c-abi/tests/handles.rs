@@ -127,6 +127,7 @@ fn batches_follow_their_strides_at_any_alignment() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "compares texts, slowly there")]
 fn every_error_of_the_reader_has_its_number_and_its_words() {
     // The source tells which there are: no Rust program outside the reader can.
     let source = include_str!("../../src/error.rs");
