@@ -197,6 +197,19 @@ impl Fit {
         let value = values / weights;
         (value, (slopes - value * weight_slopes) / weights / per_cell, count)
     }
+
+    /// Value of the leaf that holds a position, without its neighbours.
+    pub(crate) fn alone(&self, octree: &PolynomialOctree, position: DVec3) -> f64 {
+        let is_in = |placed: &&Placed| {
+            (0..3).all(|axis| {
+                let low = placed.cell[axis] as f64;
+                (low..low + placed.edge as f64).contains(&position[axis])
+            })
+        };
+        let placed = octree.leaves.iter().find(is_in).expect("a leaf");
+        let corner = DVec3::from_array(placed.cell.map(|cell| cell as f64));
+        self.evaluate(&placed.leaf, (position - corner) / (0.5 * placed.edge as f64) - 1.0).0
+    }
 }
 
 /// The weight of a leaf, and its derivatives by finest cells.
