@@ -15,6 +15,7 @@ pub mod morton;
 pub mod octree;
 pub mod output;
 pub mod picture;
+pub mod polynomial;
 pub mod progress;
 pub mod quantize;
 pub mod random;

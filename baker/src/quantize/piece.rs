@@ -1,0 +1,145 @@
+//! Coefficients of a leaf to whole steps, and the bits that these take.
+
+use crate::sampling::cell::basis::{MEAN_SQUARE, TERMS, TERMS_UP_TO, degree_of};
+use crate::sampling::cell::{Kind, Piece};
+use nearfield::layout::shape::{MAX_COEFFICIENT_BITS, MAX_CONSTANT_BITS, MAX_EXPONENT};
+
+/// Powers of two by which the step grows with the degree of a term. Rounding errors are cheapest where each
+/// term's share of them is the same: steps as 1 / √(mean square of the term) = 1, 1.7, 2.2 to 3, 2.6 to 5.2.
+const GROWTH: [i32; 4] = [0, 1, 1, 2];
+
+/// A leaf as the file can hold it.
+#[derive(Clone, Debug)]
+pub struct Coded {
+    /// How the polynomials make the answer.
+    pub kind: Kind,
+    /// Total degree of each.
+    pub degrees: [u8; 2],
+    /// The step of the constant is the quantum times two to this power.
+    pub exponent: u8,
+    /// Coefficients in steps; zero beyond the degree.
+    pub codes: [[i32; TERMS]; 2],
+    /// Bits that the codes of each degree need, as offset binary numbers.
+    pub widths: [u8; 4],
+}
+
+impl Coded {
+    /// The coefficients that are stored, with the degrees of their terms.
+    pub fn stored(&self) -> impl Iterator<Item = (u8, i32)> {
+        (0..self.kind.polynomials()).flat_map(move |i| {
+            let terms = TERMS_UP_TO[usize::from(self.degrees[i])];
+            (0..terms).map(move |term| (degree_of(term), self.codes[i][term]))
+        })
+    }
+
+    /// Bits of all coefficients, if those of each degree take so many.
+    pub fn bits(&self, widths: &[u8; 4]) -> u32 {
+        self.stored().map(|(degree, _)| u32::from(widths[usize::from(degree)])).sum()
+    }
+}
+
+/// The steps of a file.
+#[derive(Clone, Copy, Debug)]
+pub struct Steps {
+    quantum: f32,
+}
+
+impl Steps {
+    /// Steps that are whole powers of two of a quantum, the finest step of all, mesh units.
+    pub fn new(quantum: f32) -> Self {
+        Self { quantum }
+    }
+
+    /// The finest step, as the file states it.
+    pub fn quantum(&self) -> f32 {
+        self.quantum
+    }
+
+    fn step(&self, exponent: u8, degree: u8) -> f64 {
+        f64::from(self.quantum) * f64::from(1u32 << (i32::from(exponent) + GROWTH[usize::from(degree)]))
+    }
+
+    /// Mean square error over the leaf that rounding to steps of this exponent is expected to make.
+    pub fn noise(&self, piece: &Piece, exponent: u8) -> f64 {
+        let polynomials = piece.kind.polynomials();
+        let of = |i: usize| -> f64 {
+            let terms = TERMS_UP_TO[usize::from(piece.degrees[i])];
+            (0..terms).map(|term| MEAN_SQUARE[term] * self.step(exponent, degree_of(term)).powi(2) / 12.0).sum()
+        };
+        (0..polynomials).map(of).sum::<f64>() / polynomials as f64
+    }
+
+    /// The greatest exponent for which the noise is at most this much; none if there is none.
+    pub fn coarsest(&self, piece: &Piece, noise: f64) -> Option<u8> {
+        let finest = self.noise(piece, 0);
+        (0..=MAX_EXPONENT).take_while(|&exponent| finest * 4f64.powi(i32::from(exponent)) <= noise).last()
+    }
+
+    /// Rounds a piece; none if a coefficient takes more bits than the format has.
+    pub fn code(&self, piece: &Piece, exponent: u8) -> Option<Coded> {
+        let mut coded = Coded {
+            kind: piece.kind,
+            degrees: piece.degrees,
+            exponent,
+            codes: [[0; TERMS]; 2],
+            widths: [0; 4],
+        };
+        for i in 0..piece.kind.polynomials() {
+            for term in 0..TERMS_UP_TO[usize::from(piece.degrees[i])] {
+                let degree = degree_of(term);
+                let code = (piece.coefficients[i][term] / self.step(exponent, degree)).round();
+                let limit = if degree == 0 { MAX_CONSTANT_BITS } else { MAX_COEFFICIENT_BITS };
+                if code.abs() >= f64::from(1u32 << (limit - 1)) {
+                    return None;
+                }
+                coded.codes[i][term] = code as i32;
+                let width = &mut coded.widths[usize::from(degree)];
+                *width = (*width).max(bits_of(code as i32));
+            }
+        }
+        Some(coded)
+    }
+
+    /// The piece that a reader will see.
+    pub fn decode(&self, coded: &Coded) -> Piece {
+        let coefficients = coded.codes.map(|codes| {
+            std::array::from_fn(|term| f64::from(codes[term]) * self.step(coded.exponent, degree_of(term)))
+        });
+        Piece { kind: coded.kind, degrees: coded.degrees, coefficients }
+    }
+}
+
+/// Bits of an offset binary number w bits wide, -2^(w-1) to 2^(w-1) - 1; none for zero.
+fn bits_of(code: i32) -> u8 {
+    match code {
+        0 => 0,
+        code if code > 0 => (33 - code.leading_zeros()) as u8,
+        code => (33 - (!code).leading_zeros()) as u8,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn widths_hold_their_codes() {
+        for (code, bits) in [(0, 0), (-1, 1), (1, 2), (-2, 2), (-3, 3), (3, 3), (4, 4), (-4, 3), (127, 8), (-128, 8)] {
+            assert_eq!(bits_of(code), bits, "{code}");
+        }
+    }
+
+    #[test]
+    fn a_decoded_piece_is_within_half_a_step() {
+        let steps = Steps::new(0.25);
+        let coefficients = [std::array::from_fn(|term| 3.0 * (term as f64 - 7.3)), [0.0; TERMS]];
+        let piece = Piece { kind: Kind::Single, degrees: [3, 0], coefficients };
+        let coded = steps.code(&piece, 1).expect("it fits");
+        let decoded = steps.decode(&coded);
+        for term in 0..TERMS {
+            let error = (decoded.coefficients[0][term] - piece.coefficients[0][term]).abs();
+            assert!(error <= 0.5 * steps.step(1, degree_of(term)), "term {term}: {error}");
+        }
+        assert_eq!(coded.bits(&coded.widths), coded.stored().map(|(d, _)| u32::from(coded.widths[usize::from(d)])).sum());
+    }
+}

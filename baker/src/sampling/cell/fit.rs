@@ -1,0 +1,68 @@
+//! Polynomials through the samples of a cell, in the sense of least squares.
+
+use super::basis::{MAX_DEGREE, TERMS, TERMS_UP_TO};
+use super::kink;
+use super::piece::{Kind, Piece};
+use super::stencil::{POINTS, Stencil};
+use crate::field_function::Sample;
+
+/// A fit and how far it is from the samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit {
+    /// The polynomials.
+    pub piece: Piece,
+    /// How far they are.
+    pub errors: Errors,
+}
+
+/// Differences between a fit and the samples of its cell.
+#[derive(Clone, Copy, Debug)]
+pub struct Errors {
+    /// Mean of the squares.
+    pub mean_square: f64,
+    /// Greatest magnitude.
+    pub max: f64,
+}
+
+impl Errors {
+    pub(super) fn of(values: impl Iterator<Item = f64>, samples: &[Sample]) -> Self {
+        let (mut squares, mut max) = (0.0, 0.0f64);
+        for (value, sample) in values.zip(samples) {
+            let error = value - sample.distance;
+            squares += error * error;
+            max = max.max(error.abs());
+        }
+        Self { mean_square: squares / POINTS as f64, max }
+    }
+}
+
+/// The errors of a piece at the samples of its cell.
+pub fn errors(stencil: &Stencil, piece: &Piece, samples: &[Sample]) -> Errors {
+    let terms = |i: usize| TERMS_UP_TO[usize::from(piece.degrees[i])];
+    let first = stencil.values(&piece.coefficients[0], terms(0));
+    if piece.kind == Kind::Single {
+        return Errors::of(first.into_iter(), samples);
+    }
+    let second = stencil.values(&piece.coefficients[1], terms(1));
+    let chosen = first.into_iter().zip(second).map(|(a, b)| if piece.kind.takes_first(a, b) { a } else { b });
+    Errors::of(chosen, samples)
+}
+
+/// Every fit worth a look: one polynomial of each degree, and pairs.
+///
+/// Pairs are left out where a single polynomial of the highest degree is as good as `enough`, a mean square.
+pub fn fits(stencil: &Stencil, samples: &[Sample], enough: f64) -> Vec<Fit> {
+    let equations = stencil.all(samples);
+    let mut fits: Vec<Fit> = (0..=MAX_DEGREE)
+        .map(|degree| {
+            let coefficients = [equations.solve(degree), [0.0; TERMS]];
+            let piece = Piece { kind: Kind::Single, degrees: [degree, 0], coefficients };
+            Fit { piece, errors: errors(stencil, &piece, samples) }
+        })
+        .collect();
+    let least = fits.iter().map(|fit| fit.errors.mean_square).fold(f64::INFINITY, f64::min);
+    if least > enough {
+        fits.extend(kink::fits(stencil, samples, &equations));
+    }
+    fits
+}
