@@ -25,14 +25,14 @@ pub struct Errors {
 }
 
 impl Errors {
-    pub(super) fn of(values: impl Iterator<Item = f64>, samples: &[Sample]) -> Self {
+    pub(super) fn of(stencil: &Stencil, values: impl Iterator<Item = f64>, samples: &[Sample]) -> Self {
         let (mut squares, mut max) = (0.0, 0.0f64);
-        for (value, sample) in values.zip(samples) {
+        for ((value, sample), weight) in values.zip(samples).zip(&stencil.weights) {
             let error = value - sample.distance;
-            squares += error * error;
+            squares += weight * error * error;
             max = max.max(error.abs());
         }
-        Self { mean_square: squares / POINTS as f64, max }
+        Self { mean_square: squares, max }
     }
 }
 
@@ -41,11 +41,11 @@ pub fn errors(stencil: &Stencil, piece: &Piece, samples: &[Sample]) -> Errors {
     let terms = |i: usize| TERMS_UP_TO[usize::from(piece.degrees[i])];
     let first = stencil.values(&piece.coefficients[0], terms(0));
     if piece.kind == Kind::Single {
-        return Errors::of(first.into_iter(), samples);
+        return Errors::of(stencil, first.into_iter(), samples);
     }
     let second = stencil.values(&piece.coefficients[1], terms(1));
     let chosen = first.into_iter().zip(second).map(|(a, b)| if piece.kind.takes_first(a, b) { a } else { b });
-    Errors::of(chosen, samples)
+    Errors::of(stencil, chosen, samples)
 }
 
 /// Every fit worth a look: one polynomial of each degree, and pairs.

@@ -60,7 +60,7 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
             let [first, second] = degrees.map(|degree| usize::from(degree) - 1);
             let pairs = values[first][0].iter().zip(&values[second][1]);
             let chosen = pairs.map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-            let errors = Errors::of(chosen, samples);
+            let errors = Errors::of(stencil, chosen, samples);
             let coefficients = [coefficients[first][0], coefficients[second][1]];
             Fit { piece: Piece { kind, degrees, coefficients }, errors }
         })
@@ -115,7 +115,7 @@ fn improve(
             both_sides(stencil, samples, all, degree, &side).map(|equations| equations.solve(degree));
         let [first, second] = coefficients.map(|coefficients| stencil.values(&coefficients, terms));
         let chosen = first.iter().zip(&second).map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-        let error = Errors::of(chosen, samples).mean_square;
+        let error = Errors::of(stencil, chosen, samples).mean_square;
         if best.is_none_or(|(least, _)| error < least) {
             best = Some((error, side));
         }
