@@ -14,6 +14,8 @@ mod determinism;
 mod distance;
 /// Grids answer as the papers say, whatever their order, reconstruction and precision.
 mod grids;
+/// An octree of polynomials is the blend of its leaves, which has no seams.
+mod polynomials;
 /// The gradient is the derivative of the value, and the Lipschitz bound holds.
 mod properties;
 /// A reader in another language, written from the specification alone, agrees.

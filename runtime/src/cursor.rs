@@ -2,7 +2,8 @@
 
 use crate::field::Field;
 use crate::hermite::Jets;
-use crate::octree::{Leaf, Octree};
+use crate::lattice::Leaf;
+use crate::octree::Octree;
 
 /// Answers queries that are near one another: a ray's steps, a particle's path, the points of a row.
 ///
@@ -32,7 +33,7 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub fn distance(&mut self, point: [f32; 3]) -> f32 {
         match self.field.octree_in_place() {
-            Some(octree) if octree.contains(point) => {
+            Some(octree) if octree.lattice.contains(point) => {
                 let (_, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.value_between(&self.jets, local)
             }
@@ -44,7 +45,7 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub fn distance_and_gradient(&mut self, point: [f32; 3]) -> (f32, [f32; 3]) {
         match self.field.octree_in_place() {
-            Some(octree) if octree.contains(point) => {
+            Some(octree) if octree.lattice.contains(point) => {
                 let (leaf, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.evaluate_between(&leaf, &self.jets, local)
             }
@@ -56,9 +57,9 @@ impl<'a> Cursor<'a> {
 /// The leaf of a point of the box, whose corners are then in `jets`, and where in it the point is.
 #[inline]
 fn move_to(octree: &Octree<'_>, point: [f32; 3], last: &mut Option<Leaf>, jets: &mut Jets) -> (Leaf, [f32; 3]) {
-    let position = octree.position(point);
+    let position = octree.lattice.position(point);
     let leaf = match *last {
-        Some(leaf) if octree.holds(&leaf, position) => leaf,
+        Some(leaf) if octree.lattice.holds(&leaf, position) => leaf,
         _ => {
             let leaf = octree.leaf_at(position.map(|cells| cells as u32));
             octree.read_corners(&leaf, jets);
@@ -66,5 +67,5 @@ fn move_to(octree: &Octree<'_>, point: [f32; 3], last: &mut Option<Leaf>, jets: 
             leaf
         }
     };
-    (leaf, octree.local(&leaf, position))
+    (leaf, octree.lattice.local(&leaf, position))
 }

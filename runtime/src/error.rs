@@ -85,6 +85,28 @@ pub enum Error {
     GridBounds,
     /// A section of a grid is longer than its samples or bricks (§11.2).
     GridSamples,
+    /// The bits of a shape are none or too many (§12.1).
+    ShapeBits,
+    /// The overlap is neither 0 nor in its range (§12.1).
+    Overlap,
+    /// The section of root words is longer than the root grid (§12.2).
+    RootLength,
+    /// A root word or a record names another record than its order does, or there are more records (§12.3).
+    RecordOrder,
+    /// A root word or a record names another byte for a leaf than its order does (§12.3).
+    LeafOrder,
+    /// A leaf is too long, or the section of leaves is not as long as they and the padding (§12.5).
+    LeafLength,
+    /// A leaf names a shape that there is not (§12.5).
+    LeafShape,
+    /// The kind, a degree, a width or the exponent of a shape is out of range (§12.4).
+    Shape,
+    /// The shapes are too many or not in ascending order (§12.4).
+    ShapeOrder,
+    /// Leaves that overlap touch at levels too far apart (§12.6).
+    LevelsApart,
+    /// The support or the reach of a leaf is not what the tree makes it (§12.6).
+    OverlapCodes,
     /// A gradient code is not one that a writer may write (§8).
     GradientCode,
     /// A floating-point component of a sample is not finite or too large (§8).
@@ -132,6 +154,17 @@ impl fmt::Display for Error {
             Self::GridScale => "the spacing or the distance quantum of the grid is out of range",
             Self::GridBounds => "the box is not the one that the grid spans",
             Self::GridSamples => "a section of the grid is longer than it should be",
+            Self::ShapeBits => "the shapes of the leaves have no bits or too many",
+            Self::Overlap => "the overlap of the leaves is out of range",
+            Self::RootLength => "the section of root words is longer than the root grid",
+            Self::RecordOrder => "a record of the tree is out of order",
+            Self::LeafOrder => "a leaf is out of order",
+            Self::LeafLength => "a leaf is too long, or its section is not as long as its leaves",
+            Self::LeafShape => "a leaf has an unknown shape",
+            Self::Shape => "the shape of a leaf is out of range",
+            Self::ShapeOrder => "the shapes of the leaves are too many or out of order",
+            Self::LevelsApart => "leaves that overlap are too different in size",
+            Self::OverlapCodes => "the support or the reach of a leaf does not fit the tree",
             Self::GradientCode => "a gradient code is out of range",
             Self::SampleValue => "a sample is not finite or too large",
         })

@@ -5,8 +5,9 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, ErrorContract, Family, Header};
 use crate::octree::Octree;
+use crate::polynomial_octree::PolynomialOctree;
 use crate::section::{self, Sections};
-use crate::{math, validate, validate_grid};
+use crate::{math, validate, validate_grid, validate_polynomial};
 
 /// A signed distance field in borrowed bytes.
 ///
@@ -22,6 +23,7 @@ pub struct Field<'a> {
 enum Shape<'a> {
     Grid(Grid<'a>),
     Octree(Octree<'a>),
+    Polynomial(PolynomialOctree<'a>),
 }
 
 impl Shape<'_> {
@@ -29,7 +31,8 @@ impl Shape<'_> {
     fn contains(&self, point: [f32; 3]) -> bool {
         match self {
             Self::Grid(grid) => grid.contains(point),
-            Self::Octree(octree) => octree.contains(point),
+            Self::Octree(octree) => octree.lattice.contains(point),
+            Self::Polynomial(octree) => octree.lattice.contains(point),
         }
     }
 
@@ -45,6 +48,7 @@ impl Shape<'_> {
                 let (leaf, local) = octree.locate(point);
                 octree.value(&leaf, local)
             }
+            Self::Polynomial(octree) => octree.query(point).0,
         }
     }
 
@@ -60,6 +64,7 @@ impl Shape<'_> {
                 let (leaf, local) = octree.locate(point);
                 octree.evaluate(&leaf, local)
             }
+            Self::Polynomial(octree) => octree.query(point),
         }
     }
 }
@@ -72,14 +77,14 @@ impl<'a> Field<'a> {
     ///
     /// # Errors
     ///
-    /// The first rule of `SPEC.md` §3 to §5 and §11 that the bytes break.
+    /// The first rule of `SPEC.md` §3 to §5, §11 and §12 that the bytes break.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         header::check(bytes)?;
         let bounds = header::bounds_of(bytes);
         let shape = match header::family_of(bytes)? {
             Family::Grid => Shape::Grid(Grid::open(bytes, bounds)?),
             Family::Octree => Shape::Octree(Octree::open(bytes, bounds)?),
-            Family::Polynomial => return Err(Error::Family),
+            Family::Polynomial => Shape::Polynomial(PolynomialOctree::open(bytes, bounds)?),
         };
         Ok(Self { shape, bytes })
     }
@@ -88,12 +93,13 @@ impl<'a> Field<'a> {
     ///
     /// # Errors
     ///
-    /// The first rule of `SPEC.md` §4 to §8 and §11 that the bytes break.
+    /// The first rule of `SPEC.md` §4 to §8, §11 and §12 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
         match &self.shape {
             Shape::Grid(grid) => validate_grid::grid(grid),
             Shape::Octree(octree) => validate::octree(octree),
+            Shape::Polynomial(octree) => validate_polynomial::octree(self.bytes, octree),
         }
     }
 
@@ -165,7 +171,7 @@ impl<'a> Field<'a> {
     pub fn octree(&self) -> Option<Octree<'a>> {
         match self.shape {
             Shape::Octree(octree) => Some(octree),
-            Shape::Grid(_) => None,
+            _ => None,
         }
     }
 
@@ -174,7 +180,15 @@ impl<'a> Field<'a> {
     pub(crate) fn octree_in_place(&self) -> Option<&Octree<'a>> {
         match &self.shape {
             Shape::Octree(octree) => Some(octree),
-            Shape::Grid(_) => None,
+            _ => None,
+        }
+    }
+
+    /// The octree of polynomials, for those who walk its leaves; `None` for another family.
+    pub fn polynomial_octree(&self) -> Option<PolynomialOctree<'a>> {
+        match self.shape {
+            Shape::Polynomial(octree) => Some(octree),
+            _ => None,
         }
     }
 
@@ -182,7 +196,7 @@ impl<'a> Field<'a> {
     pub fn grid(&self) -> Option<Grid<'a>> {
         match self.shape {
             Shape::Grid(grid) => Some(grid),
-            Shape::Octree(_) => None,
+            _ => None,
         }
     }
 

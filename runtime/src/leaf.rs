@@ -3,8 +3,9 @@
 use crate::bytes::Words;
 use crate::hermite::{self, Corners, Jet, Jets};
 use crate::implied;
+use crate::lattice::Leaf;
 use crate::layout::{block, packed_sample, precision};
-use crate::octree::{Interpolant, Leaf, Octree};
+use crate::octree::{Interpolant, Octree};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
 
 /// A sample block: its header, and the words after it.
@@ -123,7 +124,7 @@ impl Octree<'_> {
     /// Writes the jets at the corners of a tricubic leaf.
     #[inline(never)]
     fn read_jets(&self, leaf: &Leaf, jets: &mut Jets) {
-        let block = Block::at(self.samples, leaf.block);
+        let block = Block::at(self.samples, leaf.place);
         let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
         let sources = block.sources(leaf.octant);
         let mut places = [0; 8];
@@ -143,7 +144,7 @@ impl Octree<'_> {
 
     /// Writes the distances at the corners of a trilinear leaf.
     fn read_distances(&self, leaf: &Leaf, jets: &mut Jets) {
-        let block = Block::at(self.samples, leaf.block);
+        let block = Block::at(self.samples, leaf.place);
         let quantum = self.quantum(leaf.level);
         let mut places = [0; 8];
         ranks(block.present, &block.sources(leaf.octant), &mut places);

@@ -43,6 +43,7 @@
 #[cfg(test)]
 extern crate std;
 
+mod blend;
 mod bytes;
 mod checksum;
 mod cursor;
@@ -54,20 +55,26 @@ mod header;
 mod hermite;
 mod implied;
 mod instance;
+mod lattice;
 pub mod layout;
 mod leaf;
+mod legendre;
 mod march;
 mod math;
 mod octree;
 mod polynomial;
+mod polynomial_leaf;
+mod polynomial_octree;
 mod range;
 mod reconstruct;
+mod region;
 pub mod sample;
 mod section;
 #[cfg(test)]
 mod tests;
 mod validate;
 mod validate_grid;
+mod validate_polynomial;
 
 pub use checksum::crc32c;
 pub use cursor::Cursor;
@@ -76,6 +83,8 @@ pub use field::Field;
 pub use grid::{Grid, GridPrecision, Reconstruction};
 pub use header::{Aabb, ErrorContract, ErrorStatistics, Family, Header, SignMethod};
 pub use instance::{Instance, NotASimilarity};
+pub use lattice::Leaf;
 pub use march::{ClosestPoint, RayHit, Raycast};
-pub use octree::{Continuity, Interpolant, Leaf, Leaves, Octree};
+pub use octree::{Continuity, Interpolant, Leaves, Octree};
+pub use polynomial_octree::PolynomialOctree;
 pub use section::{Section, Sections};

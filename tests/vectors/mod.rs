@@ -6,6 +6,7 @@
 mod grid;
 pub(crate) mod invalid;
 mod invalid_grids;
+pub(crate) mod polynomial;
 pub(crate) mod samples;
 pub(crate) mod valid;
 mod valid_grids;

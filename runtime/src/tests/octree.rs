@@ -61,7 +61,7 @@ fn local_coordinates_stay_within_the_leaf() {
     for _ in 0..5000 {
         let unit = random.point();
         let point = [0, 1, 2].map(|i| bounds.min[i] + unit[i] * (bounds.max[i] - bounds.min[i]));
-        if !octree.contains(point) {
+        if !octree.lattice.contains(point) {
             continue;
         }
         let (leaf, local) = octree.locate(point);

@@ -24,7 +24,7 @@ fn outside_adds_the_distance_to_the_box() {
         let point = random.point().map(|unit| 40.0 * unit - 20.0);
         let (distance, _) = field.distance_and_gradient(point);
         assert_eq!(distance.to_bits(), field.distance(point).to_bits());
-        if !field.octree().expect("an octree").contains(point) {
+        if !field.octree().expect("an octree").lattice.contains(point) {
             let nearest = [0, 1, 2].map(|i| point[i].clamp(bounds.min[i], bounds.max[i]));
             let away: f64 = (0..3).map(|i| f64::from(point[i] - nearest[i]).powi(2)).sum();
             let expected = f64::from(field.distance(nearest)) + away.sqrt();

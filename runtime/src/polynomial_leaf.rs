@@ -1,0 +1,190 @@
+//! From the bits of a leaf of a polynomial octree to its value and derivatives (SPEC.md §12.4, §12.5).
+
+use crate::layout::{kind, leaf, shape};
+use crate::legendre::{Basis, Coefficients, Lanes};
+use crate::polynomial_octree::PolynomialOctree;
+
+/// The bytes that a leaf may take, and enough after them to load eight from any.
+pub(crate) type Window = [u8; leaf::PADDING];
+
+/// What a damaged file has instead of a leaf.
+const NOTHING: &Window = &[0; leaf::PADDING];
+
+/// The bits of a leaf, and its shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bits<'a> {
+    window: &'a Window,
+    /// The first eight bytes, which hold everything before the linear coefficients.
+    head: u64,
+    shape: Shape,
+}
+
+/// How a leaf is made: the bytes of SPEC.md §12.4.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shape(u64);
+
+impl Shape {
+    pub(crate) fn new(bytes: [u8; shape::LENGTH]) -> Self {
+        Self(u64::from_le_bytes(bytes))
+    }
+
+    #[inline]
+    pub(crate) fn byte(self, at: usize) -> u8 {
+        (self.0 >> (8 * at)) as u8
+    }
+
+    #[inline]
+    fn degree(self, polynomial: usize) -> u32 {
+        self.byte(shape::DEGREES.start + polynomial).into()
+    }
+
+    /// Bits of a coefficient; no more than 31, whatever the file.
+    #[inline]
+    fn width(self, degree: usize) -> u32 {
+        u32::from(self.byte(shape::WIDTHS.start + degree)) & 31
+    }
+
+    /// Two to the power of the exponent, which is at most 15.
+    #[inline]
+    fn factor(self) -> f32 {
+        let exponent = u32::from(self.byte(shape::EXPONENT) & shape::MAX_EXPONENT);
+        f32::from_bits((127 + exponent) << 23)
+    }
+
+    #[inline]
+    fn is_single(self) -> bool {
+        self.byte(shape::KIND) == kind::SINGLE
+    }
+}
+
+/// The polynomials of a leaf.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Polynomials {
+    /// One of [`kind`].
+    kind: u8,
+    degrees: [u32; 2],
+    /// Step of the coefficients, mesh units.
+    step: f32,
+    first: Coefficients,
+    second: Coefficients,
+}
+
+impl Polynomials {
+    /// Value, mesh units, and derivatives by the local coordinates, -1 to 1 within the leaf.
+    #[inline]
+    pub(crate) fn evaluate(&self, local: [f32; 3]) -> (f32, [f32; 3]) {
+        let basis = Basis::at(local);
+        let (mut value, mut slope) = self.first.evaluate(self.degrees[0], &basis);
+        if self.kind != kind::SINGLE {
+            let (other, other_slope) = self.second.evaluate(self.degrees[1], &basis);
+            let is_other = if self.kind == kind::MIN { other < value } else { other > value };
+            if is_other {
+                (value, slope) = (other, other_slope);
+            }
+        }
+        (value * self.step, slope.map(|part| part * self.step))
+    }
+}
+
+impl<'a> Bits<'a> {
+    /// The leaf at a byte of the section of leaves.
+    #[inline]
+    pub(crate) fn at(octree: &PolynomialOctree<'a>, place: u32) -> Self {
+        let window = octree.leaves.get(place as usize..).and_then(<[u8]>::first_chunk).unwrap_or(NOTHING);
+        let head = load(window, 0);
+        let shape = octree.shapes.get((head as u32 & octree.shape_mask) as usize).copied().unwrap_or_default();
+        Self { window, head, shape: Shape::new(shape) }
+    }
+
+    /// The support code and the reach code, if leaves overlap.
+    #[inline]
+    pub(crate) fn overlap_codes(&self, octree: &PolynomialOctree<'_>) -> (u32, u32) {
+        let codes = (self.head >> octree.shape_bits) as u32;
+        (codes & leaf::MAX_SUPPORT, codes >> leaf::SUPPORT_BITS & leaf::MAX_REACH)
+    }
+
+    /// Number of the shape.
+    pub(crate) fn shape_number(&self, octree: &PolynomialOctree<'_>) -> usize {
+        (self.head as u32 & octree.shape_mask) as usize
+    }
+
+    /// Bits of the leaf.
+    pub(crate) fn length(&self, octree: &PolynomialOctree<'_>) -> u32 {
+        const TERMS: [u32; 4] = [1, 3, 6, 10];
+        let polynomials = if self.shape.is_single() { 1 } else { 2 };
+        let degrees = (0..polynomials).flat_map(|polynomial| 0..=self.shape.degree(polynomial));
+        let bits = degrees.map(|degree| self.shape.width(degree as usize & 3) * TERMS[degree as usize & 3]);
+        u32::from(octree.header_bits) + bits.sum::<u32>()
+    }
+
+    /// Writes the polynomials.
+    #[inline]
+    pub(crate) fn decode(&self, octree: &PolynomialOctree<'_>, polynomials: &mut Polynomials) {
+        let shape = self.shape;
+        polynomials.kind = shape.byte(shape::KIND);
+        polynomials.degrees = [shape.degree(0), shape.degree(1)];
+        polynomials.step = octree.quantum * shape.factor();
+
+        let constant = number((self.head >> octree.header_bits) as u32, shape.width(0));
+        let mut at = u32::from(octree.header_bits) + shape.width(0);
+        self.read(constant, shape.degree(0), &mut at, &mut polynomials.first);
+        if !shape.is_single() {
+            let constant = number(load(self.window, at) as u32, shape.width(0));
+            at += shape.width(0);
+            self.read(constant, shape.degree(1), &mut at, &mut polynomials.second);
+        }
+    }
+
+    /// The coefficients of a polynomial from those of degree 1 on.
+    #[inline(never)]
+    fn read(&self, constant: f32, degree: u32, at: &mut u32, coefficients: &mut Coefficients) {
+        if degree == 0 {
+            coefficients.linear = [0.0, 0.0, 0.0, constant];
+            return;
+        }
+        let width = self.shape.width(1);
+        coefficients.linear = self.three(at, width);
+        coefficients.linear[3] = constant;
+        if degree >= 2 {
+            let width = self.shape.width(2);
+            coefficients.square = self.three(at, width);
+            coefficients.cross = self.three(at, width);
+        }
+        if degree >= 3 {
+            let width = self.shape.width(3);
+            coefficients.cube = self.three(at, width);
+            coefficients.next = self.three(at, width);
+            coefficients.previous = self.three(at, width);
+            coefficients.cube[3] = number(load(self.window, *at) as u32, width);
+            *at += width;
+        }
+    }
+
+    /// Three coefficients of a width.
+    #[inline]
+    fn three(&self, at: &mut u32, width: u32) -> Lanes {
+        let bits = load(self.window, *at);
+        *at += 3 * width;
+        let mask = (1 << width) - 1;
+        let codes = [bits as u32, (bits >> width) as u32, (bits >> width >> width) as u32, 0];
+        let half = (1 << width) >> 1;
+        let [x, y, z, _] = codes.map(|code| ((code & mask) as i32 - half) as f32);
+        [x, y, z, 0.0]
+    }
+}
+
+/// The number of a code in the lowest bits of a word.
+#[inline]
+fn number(bits: u32, width: u32) -> f32 {
+    let code = (bits & ((1 << width) - 1)) as i32;
+    (code - ((1_u32 << width) >> 1) as i32) as f32
+}
+
+/// At least 57 bits from a bit on.
+#[inline]
+fn load(window: &Window, bit: u32) -> u64 {
+    // The mask shows the compiler that no index can fail.
+    let byte = (bit >> 3) as usize & 63;
+    let bytes = window.get(byte..).and_then(<[u8]>::first_chunk).copied().unwrap_or_default();
+    u64::from_le_bytes(bytes) >> (bit & 7)
+}

@@ -1,0 +1,289 @@
+//! The octree of polynomials: its parameters, and from a point to the leaf that holds it (SPEC.md §12).
+
+use crate::blend;
+use crate::bytes::{Words, f32_at, u8_at, u16x3_at, u32_at};
+use crate::error::Error;
+use crate::header::Aabb;
+use crate::lattice::{Lattice, Leaf};
+use crate::layout::{continuity, leaf, limit, polynomial as at, record, root_word, section, shape};
+use crate::octree::Continuity;
+use crate::polynomial_leaf::{Bits, Polynomials};
+use crate::section as sections;
+
+/// An octree whose leaves are polynomials, blended where they overlap.
+#[derive(Clone, Copy, Debug)]
+pub struct PolynomialOctree<'a> {
+    pub(crate) roots: Words<'a>,
+    pub(crate) records: &'a [[u8; record::LENGTH]],
+    pub(crate) shapes: &'a [[u8; shape::LENGTH]],
+    pub(crate) leaves: &'a [u8],
+    pub(crate) lattice: Lattice,
+    /// Step of coefficients of exponent 0, mesh units.
+    pub(crate) quantum: f32,
+    overlap: f32,
+    leaf_count: u32,
+    pub(crate) shape_mask: u32,
+    pub(crate) shape_bits: u8,
+    /// Bits of a leaf before its coefficients.
+    pub(crate) header_bits: u8,
+}
+
+/// What the tree has for a cell: a leaf, or an inner node and the number of its record.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Node {
+    Leaf(u32),
+    Inner(u32),
+}
+
+/// The record of an inner node.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Record {
+    /// The mask of inner children and the starts.
+    pub(crate) starts: u64,
+    /// Number of the record of the first inner child.
+    pub(crate) child: u32,
+    /// Byte of the first leaf.
+    pub(crate) leaf: u32,
+}
+
+/// How far the supports of others reach into a leaf, by its reach code: in overlaps, where half an edge of the leaf is 1.
+/// With a code of 0 everywhere.
+const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.5];
+
+impl Record {
+    #[inline]
+    pub(crate) fn new(bytes: &[u8; record::LENGTH]) -> Self {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = *bytes;
+        let first = u64::from_le_bytes([g, h, i, j, k, l, m, n]) >> 16;
+        Self {
+            starts: u64::from_le_bytes([a, b, c, d, e, f, g, h]),
+            child: first as u32 & ((1 << record::CHILD_BITS) - 1),
+            leaf: (first >> record::CHILD_BITS) as u32,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn is_inner(self, octant: u32) -> bool {
+        self.starts >> octant & 1 == 1
+    }
+
+    /// Where a child is, counted from the first of its kind.
+    #[inline]
+    pub(crate) fn start(self, octant: u32) -> u32 {
+        // Child 0 has none: the mask is in its place.
+        ((self.starts & !0xFF) >> (8 * octant)) as u32 & 0xFF
+    }
+
+    #[inline]
+    pub(crate) fn child(self, octant: u32) -> Node {
+        let start = self.start(octant);
+        if self.is_inner(octant) { Node::Inner(self.child + start) } else { Node::Leaf(self.leaf + start) }
+    }
+}
+
+impl<'a> PolynomialOctree<'a> {
+    /// The octree of a file whose header has been checked (SPEC.md §12.1).
+    pub(crate) fn open(bytes: &'a [u8], bounds: Aabb) -> Result<Self, Error> {
+        let parameter_section = sections::find(bytes, section::POLYNOMIAL)?;
+        let parameters = sections::find_bytes(bytes, section::POLYNOMIAL)?;
+        let roots = Words::new(sections::find_bytes(bytes, section::ROOTS)?);
+        let shapes = sections::find_bytes(bytes, section::SHAPES)?.as_chunks().0;
+        let records = sections::find_bytes(bytes, section::RECORDS)?.as_chunks().0;
+        let leaves = sections::find_bytes(bytes, section::LEAVES)?;
+
+        // Small enough to be summed in constant time, and every query rests on it.
+        if parameters.len() != at::LENGTH {
+            return Err(Error::OctreeLength);
+        }
+        sections::check_sum(bytes, &parameter_section)?;
+        if parameters.get(at::RESERVED) != Some(&[0; 3]) {
+            return Err(Error::Reserved);
+        }
+
+        let root_edge = f32_at(parameters, at::ROOT_EDGE);
+        let root_cells = u16x3_at(parameters, at::ROOT_CELLS);
+        let lattice = Lattice::new(root_cells, u8_at(parameters, at::DEPTH), root_edge, bounds)?;
+        if lattice.root_count() > roots.len() as u64 {
+            return Err(Error::NodeLength);
+        }
+        let quantum = f32_at(parameters, at::QUANTUM);
+        if !(limit::MIN_QUANTUM..=root_edge).contains(&quantum) {
+            return Err(Error::OctreeScale);
+        }
+        lattice.check_bounds()?;
+
+        let shape_bits = u8_at(parameters, at::SHAPE_BITS);
+        if !(1..=at::MAX_SHAPE_BITS).contains(&shape_bits) {
+            return Err(Error::ShapeBits);
+        }
+        let overlap = f32_at(parameters, at::OVERLAP);
+        let expected = if overlap == 0.0 { continuity::NONE } else { continuity::C1 };
+        if overlap != 0.0 && !(at::MIN_OVERLAP..=at::MAX_OVERLAP).contains(&overlap) {
+            return Err(Error::Overlap);
+        }
+        if u8_at(parameters, at::CONTINUITY) != expected {
+            return Err(Error::Continuity);
+        }
+
+        let codes = if overlap == 0.0 { 0 } else { leaf::SUPPORT_BITS + leaf::REACH_BITS };
+        Ok(Self {
+            roots,
+            records,
+            shapes,
+            leaves,
+            lattice,
+            quantum,
+            overlap,
+            shape_bits,
+            shape_mask: (1 << shape_bits) - 1,
+            header_bits: shape_bits + codes as u8,
+            leaf_count: u32_at(parameters, at::LEAF_COUNT),
+        })
+    }
+
+    /// Cells of the root grid along x, y, z; each at least 1.
+    pub fn root_cells(&self) -> [u32; 3] {
+        self.lattice.root_cells
+    }
+
+    /// Levels below the root grid, at most 16: a root cell is `1 << depth` finest cells wide.
+    pub fn depth(&self) -> u8 {
+        self.lattice.depth
+    }
+
+    /// Edge of a cell at a level, mesh units.
+    pub fn edge(&self, level: u8) -> f32 {
+        self.lattice.edge(level)
+    }
+
+    /// Finest step of a coefficient, mesh units.
+    pub fn quantum(&self) -> f32 {
+        self.quantum
+    }
+
+    /// How far leaves reach beyond their cells and are blended, as a share of the cell's edge: 0 if they are not,
+    /// otherwise 1/64 to 1/4.
+    pub fn overlap(&self) -> f32 {
+        self.overlap
+    }
+
+    /// What is promised across faces between leaves: value and gradient are continuous if leaves overlap, except where
+    /// a leaf holds a crease, whose gradient jumps.
+    pub fn continuity(&self) -> Continuity {
+        if self.overlap == 0.0 { Continuity::None } else { Continuity::C1 }
+    }
+
+    /// Leaves of the tree.
+    pub fn leaf_count(&self) -> u32 {
+        self.leaf_count
+    }
+
+    /// Inner nodes of the tree.
+    pub fn inner_count(&self) -> usize {
+        self.records.len()
+    }
+
+    /// The box that the root grid fills.
+    pub fn bounds(&self) -> Aabb {
+        self.lattice.bounds
+    }
+
+    /// Finest cells along x, y, z, at most 2²⁰.
+    pub fn lattice(&self) -> [u32; 3] {
+        self.lattice.cells
+    }
+
+    /// The leaf that holds a finest cell; cells beyond the lattice count as its last.
+    #[inline]
+    pub fn leaf_at(&self, cell: [u32; 3]) -> Leaf {
+        let [x, y, z] = self.lattice.clamp(cell);
+        let (place, shift) = self.descend([x, y, z]);
+        let align = u32::MAX << shift;
+        Leaf {
+            level: self.lattice.depth - shift as u8,
+            cell: [x & align, y & align, z & align],
+            edge: 1 << shift,
+            place,
+            octant: 0,
+        }
+    }
+
+    /// The leaves: the root grid x fastest, below it depth first, the octants of a cell in the order of their numbers.
+    pub fn leaves(&self) -> impl Iterator<Item = Leaf> + use<'a> {
+        let octree = *self;
+        let after = move |leaf: &Leaf| octree.lattice.cell_after(leaf).map(|cell| octree.leaf_at(cell));
+        core::iter::successors(Some(octree.leaf_at([0; 3])), after)
+    }
+
+    /// Value and gradient of a leaf alone, without its neighbours, at local coordinates, 0 to 1 along each axis.
+    ///
+    /// The value is in mesh units, the gradient without unit. A leaf answers beyond its cell too,
+    /// by extrapolation; finite coordinates of a few cells give finite answers.
+    pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
+        let mut polynomials = Polynomials::default();
+        Bits::at(self, leaf.place).decode(self, &mut polynomials);
+        let (value, slope) = polynomials.evaluate(local.map(|part| 2.0 * part - 1.0));
+        let per_half = 2.0 / self.edge(leaf.level);
+        (value, slope.map(|part| part * per_half))
+    }
+
+    /// Value and gradient at a point of the box.
+    #[inline]
+    pub(crate) fn query(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        let position = self.lattice.position(point);
+        let leaf = self.leaf_at(position.map(|cells| cells as u32));
+        let mut polynomials = Polynomials::default();
+        let bits = Bits::at(self, leaf.place);
+        bits.decode(self, &mut polynomials);
+        self.answer(&leaf, position, bits.overlap_codes(self).1, &polynomials)
+    }
+
+    /// Value and gradient at a position, whose leaf is decoded.
+    #[inline]
+    pub(crate) fn answer(
+        &self,
+        leaf: &Leaf,
+        position: [f32; 3],
+        reach: u32,
+        polynomials: &Polynomials,
+    ) -> (f32, [f32; 3]) {
+        let local = blend::local(leaf, position);
+        let [x, y, z] = local.map(f32::abs);
+        if x.max(y).max(z) > 1.0 - self.overlap * REACH[reach as usize & 3] {
+            return self.blend(leaf, position, polynomials);
+        }
+        let (value, slope) = polynomials.evaluate(local);
+        let per_half = 2.0 / self.edge(leaf.level);
+        (value, slope.map(|part| part * per_half))
+    }
+
+    /// Number of the root word of a finest cell of the lattice, as a node.
+    #[inline]
+    pub(crate) fn root(&self, number: usize) -> Node {
+        let word = self.roots.word(number);
+        if word & root_word::LEAF != 0 { Node::Leaf(word & !root_word::LEAF) } else { Node::Inner(word) }
+    }
+
+    /// A record; one of leaves without bits if there is none of that number.
+    #[inline]
+    pub(crate) fn record(&self, number: u32) -> Record {
+        Record::new(self.records.get(number as usize).unwrap_or(&[0; record::LENGTH]))
+    }
+
+    /// The leaf that holds a finest cell of the lattice: its place, and its edge as a power of two.
+    #[inline]
+    fn descend(&self, cell @ [x, y, z]: [u32; 3]) -> (u32, u32) {
+        let mut shift = u32::from(self.lattice.depth);
+        let mut node = self.root(self.lattice.root_of(cell));
+        loop {
+            match node {
+                Node::Inner(number) if shift > 0 => {
+                    shift -= 1;
+                    let octant = (x >> shift & 1) | (y >> shift & 1) << 1 | (z >> shift & 1) << 2;
+                    node = self.record(number).child(octant);
+                }
+                Node::Leaf(place) | Node::Inner(place) => return (place, shift),
+            }
+        }
+    }
+}
