@@ -197,10 +197,10 @@ impl PolynomialOctree {
         }
         for (own, others) in touching.iter().enumerate() {
             // Eighths of the overlap, in finest cells: exact.
-            let reach_of = |other: &usize| self.leaves[*other].edge * 8 >> self.leaves[*other].support;
+            let reach_of = |other: &usize| (self.leaves[*other].edge * 8) >> self.leaves[*other].support;
             let greatest = others.iter().map(reach_of).max().unwrap_or(0);
             let edge = self.leaves[own].edge;
-            let reach = (1..=3).rev().find(|&code| greatest <= edge * 8 >> (code - 1)).unwrap_or(0);
+            let reach = (1..=3).rev().find(|&code| greatest <= (edge * 8) >> (code - 1)).unwrap_or(0);
             self.leaves[own].reach = reach;
         }
     }
