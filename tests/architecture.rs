@@ -2,7 +2,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms of the baker in the order of the data. A room may use those before it.
-const FLOW: [&str; 9] = ["import", "mesh", "distance", "sampling", "quantize", "octree", "grid", "encode", "verify"];
+const FLOW: [&str; 10] =
+    ["import", "mesh", "distance", "sampling", "quantize", "octree", "grid", "polynomial", "encode", "verify"];
 /// Plain shapes and doors that every room may use.
 const SHARED: [&str; 7] = ["corner", "field_function", "geometry", "morton", "progress", "random", "settings"];
 /// Rooms that do not know that there are files.

@@ -8,7 +8,7 @@ use nearfield_bake::polynomial::PolynomialOctree;
 use nearfield_bake::polynomial::overlap::Blend;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::random::Draws;
-use nearfield_bake::settings::Settings;
+use nearfield_bake::settings::{Settings, PolynomialSettings, Target, Layout};
 use rayon::prelude::*;
 use cpu_time::ProcessTime;
 fn main() {
@@ -29,7 +29,7 @@ fn main() {
     for e in &args[2..] {
         let e: f64 = e.parse().unwrap();
         let start = ProcessTime::now();
-        let o = PolynomialOctree::build(&function, &mesh.bounds, &Settings::default(), e * diagonal, &Silent);
+        let o = PolynomialOctree::build(&function, &mesh.bounds, &Settings { error: Target::Relative(e), layout: Layout::Polynomial(PolynomialSettings::default()), ..Settings::default() }, &PolynomialSettings::default(), diagonal, &Silent);
         let built = start.elapsed().as_secs_f64();
         let p = Provenance { mesh_hash: [0; 16], settings_hash: [0; 8], sign_method: 1, diagonal, target_error: e * diagonal };
         let bytes = encode_polynomial(&o, &p).unwrap();
@@ -44,6 +44,17 @@ fn main() {
             let angle = r.iter().map(|x| x.1).sum::<f64>() / r.len() as f64;
             let steep = r.iter().map(|x| x.2).fold(0.0, f64::max);
             (rmse, max, angle, steep) };
+        if std::env::var("WORST").is_ok() {
+            let mut w: Vec<(f64, usize)> = uniform.iter().zip(&exact_u).enumerate().map(|(i, (&p, s))| ((blend.evaluate(p).0 - s.distance).abs() / diagonal, i)).collect();
+            w.sort_by(|a, b| b.0.total_cmp(&a.0));
+            for &(err, i) in w.iter().take(15) {
+                let p = uniform[i]; let d = &o.cells.domain;
+                for (_, cell, coded) in o.cells.leaves() {
+                    let edge = d.edge(cell.level); let local = (p - d.point(cell.origin)) / edge * 2.0 - 1.0;
+                    if local.abs().max_element() < 1.0 { println!("  err {err:.1e} level {} kind {:?} {:?} exp {} w {:?} local {local:.2} own {:.1e} d {:.1e}", cell.level, coded.kind, coded.degrees, coded.exponent, coded.widths, (o.steps.decode(coded).evaluate(local).0 - exact_u[i].distance).abs() / diagonal, exact_u[i].distance/diagonal); }
+                }
+            }
+        }
         let u = measure(&uniform, &exact_u); let b = measure(&band, &exact_b);
         let leaves = o.cells.leaves().count();
         let mut kinds = std::collections::BTreeMap::new();

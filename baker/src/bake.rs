@@ -1,13 +1,14 @@
 //! The pipeline, on one screen.
 
 use crate::distance::{SignMethod, SignedDistance};
-use crate::encode::{EncodeError, Provenance, encode, encode_grid, write_contract};
+use crate::encode::{EncodeError, Provenance, encode, encode_grid, encode_polynomial, write_contract};
 use crate::field_function::FieldFunction;
 use crate::geometry::Aabb;
 use crate::grid::{self, Grid};
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
 use crate::octree::domain::Domain;
+use crate::polynomial::PolynomialOctree;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
 use crate::settings::{Layout, Settings, SettingsError};
@@ -143,6 +144,14 @@ fn build(
     progress: &dyn Progress,
 ) -> Result<Built, BakeError> {
     match &settings.layout {
+        Layout::Polynomial(polynomial) => {
+            stopwatch.stage("octree");
+            let octree =
+                PolynomialOctree::build(function, bounds, settings, polynomial, provenance.diagonal, progress);
+            stopwatch.stage("encode");
+            let bytes = encode_polynomial(&octree, provenance)?;
+            Ok(Built { bytes, leaves_by_level: octree.leaves_by_level(), samples: octree.samples })
+        }
         Layout::Octree => {
             stopwatch.stage("octree");
             let octree = Octree::build(function, bounds, settings, provenance.target_error, progress);
@@ -163,7 +172,7 @@ fn build(
 /// The reader computes in `f32`: lengths must stay in its range.
 fn check_extent(bounds: &Aabb, settings: &Settings) -> Result<(), BakeError> {
     let (edge, min, max) = match &settings.layout {
-        Layout::Octree => {
+        Layout::Octree | Layout::Polynomial(_) => {
             let domain = Domain::around(bounds, settings);
             let max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
             (domain.root_edge, domain.origin, max)

@@ -18,15 +18,13 @@ pub(super) struct Tolerance {
     pub(super) max: f64,
 }
 
-/// Bits that a leaf may cost more if it lowers the square error by as much as the tolerance allows.
-pub(super) fn worth() -> f64 {
-    std::env::var("NF_WORTH").ok().and_then(|s| s.parse().ok()).unwrap_or(0.0)
-}
+/// Bits that a leaf may cost more if that lowers its mean square error by as much as the tolerance allows: spent
+/// where they buy most, they save more leaves than they cost (measured: 10 % of the bytes at equal error).
+const WORTH: f64 = 100.0;
 
 /// The leaf that costs least among those within the tolerance; none if there is none.
 pub(super) fn cheapest(stencil: &Stencil, steps: &Steps, samples: &[Sample], tolerance: Tolerance) -> Option<Coded> {
-    let enough = 0.0;
-    let fits = cell::fits(stencil, samples, enough);
+    let fits = cell::fits(stencil, samples);
     let mut candidates: Vec<(f64, usize, u8)> = Vec::new();
     for (index, fit) in fits.iter().enumerate() {
         candidates.extend(exponents(steps, fit, tolerance).map(|(cost, exponent)| (cost, index, exponent)));
@@ -42,7 +40,7 @@ pub(super) fn cheapest(stencil: &Stencil, steps: &Steps, samples: &[Sample], tol
 
 /// The leaf whose error is least, for a cell that cannot be split.
 pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], tolerance: Tolerance) -> Coded {
-    let fits = cell::fits(stencil, samples, 0.0);
+    let fits = cell::fits(stencil, samples);
     let mut order: Vec<&Fit> = fits.iter().collect();
     order.sort_by(|a, b| a.errors.mean_square.total_cmp(&b.errors.mean_square));
     let coded = order.iter().find_map(|fit| {
@@ -60,11 +58,10 @@ fn exponents(steps: &Steps, fit: &Fit, tolerance: Tolerance) -> impl Iterator<It
     let allowed = tolerance.rmse * tolerance.rmse;
     let is_good = fit.errors.mean_square <= allowed && fit.errors.max <= tolerance.max;
     let coarsest = is_good.then(|| steps.coarsest(&fit.piece, allowed - fit.errors.mean_square)).flatten();
-    let worth = worth();
     coarsest.into_iter().flat_map(|coarsest| coarsest.saturating_sub(3)..=coarsest).filter_map(move |exponent| {
         let coded = steps.code(&fit.piece, exponent)?;
         let bits = coded.bits(&coded.widths);
         let square = fit.errors.mean_square + steps.noise(&fit.piece, exponent);
-        (bits <= MAX_BITS).then_some((f64::from(bits + OVERHEAD) + worth * square / allowed, exponent))
+        (bits <= MAX_BITS).then_some((f64::from(bits + OVERHEAD) + WORTH * square / allowed, exponent))
     })
 }

@@ -14,17 +14,21 @@ use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::quantize::piece::Steps;
 use crate::sampling::cell::Stencil;
-use crate::settings::Settings;
+use crate::settings::{Continuity, NEAR, PolynomialSettings, Profile, Settings};
 use cells::Cells;
 use choose::Tolerance;
 use overlap::Reach;
 use refine::{Demand, Refinement};
 
-fn env(name: &str, default: f64) -> f64 {
-    std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(default)
-}
-
-/// The finest step, as a share of the target error.
+/// Tolerance of a leaf's root mean square error, as a share of the target. Leaves see neither what lies between their
+/// samples nor their neighbours; with this share the measured errors are those that octrees of interpolants reach
+/// (Pujol and Chica 2023): about half the target over the box and 0.6 of it near the surface.
+const LEAF_SHARE: f64 = 0.75;
+/// Tolerance of a leaf's greatest error at its samples, in root mean square tolerances, where none is asked for.
+const LEAF_MAX: f64 = 6.0;
+/// Share of the greatest error asked for that a leaf may have at its samples, for the same reason.
+const LEAF_MAX_SHARE: f64 = 0.5;
+/// The finest step, as a share of a leaf's tolerance.
 const FINEST_STEP: f64 = 1.0 / 256.0;
 
 /// A built tree, rounded: all that the file will say of the field.
@@ -44,20 +48,27 @@ pub struct PolynomialOctree {
 }
 
 impl PolynomialOctree {
-    /// Builds the octree of a function around a box, to a target error in mesh units.
+    /// Builds the octree of a function around a box. Relative targets are fractions of `diagonal`, mesh units.
     pub fn build(
         function: &dyn FieldFunction,
         bounds: &Aabb,
         settings: &Settings,
-        target: f64,
+        polynomial: &PolynomialSettings,
+        diagonal: f64,
         progress: &dyn Progress,
     ) -> Self {
         let domain = Domain::around(bounds, settings);
-        let overlap = env("NF_R", 0.1875);
-        let rmse = target;
-        let near = Tolerance { rmse, max: env("NF_MAX", 4.0) * rmse };
-        let surface = env("NF_SURFACE", 0.0) > 0.0;
-        let constant_within = if surface { 0.02 * bounds.diagonal() } else { f64::INFINITY };
+        let overlap = match settings.continuity {
+            Continuity::None => 0.0,
+            Continuity::C0 | Continuity::C1 => f64::from(polynomial.overlap as f32),
+        };
+        let rmse = LEAF_SHARE * settings.error.absolute(diagonal);
+        let asked = polynomial.max_error.map_or(f64::INFINITY, |max| LEAF_MAX_SHARE * max.absolute(diagonal));
+        let near = Tolerance { rmse, max: asked.min(LEAF_MAX * rmse) };
+        let constant_within = match polynomial.profile {
+            Profile::Uniform => f64::INFINITY,
+            Profile::Surface => NEAR * diagonal,
+        };
         let mut refinement = Refinement {
             function,
             stencil: Stencil::new(),
@@ -70,7 +81,7 @@ impl PolynomialOctree {
         let cells = refinement.refine(domain);
         let (steps, samples) = (refinement.steps, refinement.samples);
         let reaches = overlap::reaches(&cells);
-        Self { cells, reaches, overlap, steps, lipschitz: 1.0, samples }
+        Self { cells, reaches, overlap, steps, lipschitz: 2.5, samples }
     }
 
     /// Leaves of each level below the root grid.

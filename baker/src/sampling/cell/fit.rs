@@ -3,7 +3,7 @@
 use super::basis::{MAX_DEGREE, TERMS, TERMS_UP_TO};
 use super::kink;
 use super::piece::{Kind, Piece};
-use super::stencil::{POINTS, Stencil};
+use super::stencil::Stencil;
 use crate::field_function::Sample;
 
 /// A fit and how far it is from the samples.
@@ -25,14 +25,14 @@ pub struct Errors {
 }
 
 impl Errors {
-    pub(super) fn of(stencil: &Stencil, values: impl Iterator<Item = f64>, samples: &[Sample]) -> Self {
+    pub(super) fn of(values: impl Iterator<Item = f64>, samples: &[Sample]) -> Self {
         let (mut squares, mut max) = (0.0, 0.0f64);
-        for ((value, sample), weight) in values.zip(samples).zip(&stencil.weights) {
+        for (value, sample) in values.zip(samples) {
             let error = value - sample.distance;
-            squares += weight * error * error;
+            squares += error * error;
             max = max.max(error.abs());
         }
-        Self { mean_square: squares, max }
+        Self { mean_square: squares / samples.len() as f64, max }
     }
 }
 
@@ -41,17 +41,15 @@ pub fn errors(stencil: &Stencil, piece: &Piece, samples: &[Sample]) -> Errors {
     let terms = |i: usize| TERMS_UP_TO[usize::from(piece.degrees[i])];
     let first = stencil.values(&piece.coefficients[0], terms(0));
     if piece.kind == Kind::Single {
-        return Errors::of(stencil, first.into_iter(), samples);
+        return Errors::of(first.into_iter(), samples);
     }
     let second = stencil.values(&piece.coefficients[1], terms(1));
     let chosen = first.into_iter().zip(second).map(|(a, b)| if piece.kind.takes_first(a, b) { a } else { b });
-    Errors::of(stencil, chosen, samples)
+    Errors::of(chosen, samples)
 }
 
-/// Every fit worth a look: one polynomial of each degree, and pairs.
-///
-/// Pairs are left out where a single polynomial of the highest degree is as good as `enough`, a mean square.
-pub fn fits(stencil: &Stencil, samples: &[Sample], enough: f64) -> Vec<Fit> {
+/// The best polynomial of each degree, and the best pairs.
+pub fn fits(stencil: &Stencil, samples: &[Sample]) -> Vec<Fit> {
     let equations = stencil.all(samples);
     let mut fits: Vec<Fit> = (0..=MAX_DEGREE)
         .map(|degree| {
@@ -60,9 +58,6 @@ pub fn fits(stencil: &Stencil, samples: &[Sample], enough: f64) -> Vec<Fit> {
             Fit { piece, errors: errors(stencil, &piece, samples) }
         })
         .collect();
-    let least = fits.iter().map(|fit| fit.errors.mean_square).fold(f64::INFINITY, f64::min);
-    if least > enough {
-        fits.extend(kink::fits(stencil, samples, &equations));
-    }
+    fits.extend(kink::fits(stencil, samples, &equations));
     fits
 }

@@ -20,6 +20,10 @@ const LEAST_ANGLE: f64 = 0.05;
 /// Degrees of the pairs that are offered, the first side's and the second's.
 const PAIRS: [[u8; 2]; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [1, 3], [3, 1], [2, 3], [3, 2], [3, 3]];
 
+/// Samples that a side has at least for each of its coefficients: with fewer, a side is free to go astray between
+/// its samples and beyond the cell.
+const SAMPLES_PER_TERM: usize = 3;
+
 /// Which samples belong to the first side.
 type Side = [bool; POINTS];
 
@@ -52,15 +56,14 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
     });
     let first_count = side.iter().filter(|&&first| first).count();
     let counts = [first_count, POINTS - first_count];
-    let share: f64 = std::env::var("NF_SHARE").ok().and_then(|s| s.parse().ok()).unwrap_or(2.0);
     PAIRS
         .into_iter()
-        .filter(|degrees| (0..2).all(|i| counts[i] as f64 >= share * TERMS_UP_TO[usize::from(degrees[i])] as f64))
+        .filter(|degrees| (0..2).all(|i| counts[i] >= SAMPLES_PER_TERM * TERMS_UP_TO[usize::from(degrees[i])]))
         .map(|degrees| {
             let [first, second] = degrees.map(|degree| usize::from(degree) - 1);
             let pairs = values[first][0].iter().zip(&values[second][1]);
             let chosen = pairs.map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-            let errors = Errors::of(stencil, chosen, samples);
+            let errors = Errors::of(chosen, samples);
             let coefficients = [coefficients[first][0], coefficients[second][1]];
             Fit { piece: Piece { kind, degrees, coefficients }, errors }
         })
@@ -115,7 +118,7 @@ fn improve(
             both_sides(stencil, samples, all, degree, &side).map(|equations| equations.solve(degree));
         let [first, second] = coefficients.map(|coefficients| stencil.values(&coefficients, terms));
         let chosen = first.iter().zip(&second).map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-        let error = Errors::of(stencil, chosen, samples).mean_square;
+        let error = Errors::of(chosen, samples).mean_square;
         if best.is_none_or(|(least, _)| error < least) {
             best = Some((error, side));
         }
