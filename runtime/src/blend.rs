@@ -3,11 +3,12 @@
 //! Every leaf has a weight that falls smoothly to 0 at the edge of its support. What is there to answer is the mean of the
 //! leaves by their weights, so it is as continuous as the weights are (Babuška and Melenk 1997).
 
-use crate::lattice::Leaf;
+use crate::lattice::{Leaf, Position};
 use crate::layout::leaf;
+use crate::legendre::Lanes;
 use crate::math;
-use crate::polynomial_leaf::{Bits, Polynomials};
-use crate::polynomial_octree::PolynomialOctree;
+use crate::polynomial_leaf::{Bits, OverlapCodes, Polynomials};
+use crate::polynomial_octree::{Node, Place, PolynomialOctree};
 use crate::region::Region;
 
 /// The weight of a leaf at a point, and its derivatives by the leaf's local coordinates.
@@ -21,14 +22,24 @@ impl Weight {
     /// The weight at local coordinates, -1 to 1 within the leaf. `steepness` is half the leaf's edge over twice the
     /// distance by which it reaches beyond its cell.
     #[inline]
-    fn at(local: [f32; 3], steepness: f32) -> Self {
-        let inside = local.map(|part| (0.5 + (1.0 - part.abs()) * steepness).clamp(0.0, 1.0));
-        let [x, y, z] = inside.map(|s| (s * s) * (3.0 - 2.0 * s));
-        let slopes = [0, 1, 2].map(|axis: usize| {
-            let s = inside[axis];
-            (6.0 * s * (1.0 - s)) * (-steepness).copysign(-local[axis])
-        });
-        Self { value: x * y * z, slope: [slopes[0] * (y * z), slopes[1] * (x * z), slopes[2] * (x * y)] }
+    fn at(local: &Lanes, steepness: f32) -> Self {
+        let (mut step, mut slope) = ([0.0; 4], [0.0; 4]);
+        steps(local, steepness, &mut step, &mut slope);
+        let [x, y, z, _] = step;
+        let (yz, xz, xy) = (y * z, x * z, x * y);
+        Self { value: x * yz, slope: [slope[0] * yz, slope[1] * xz, slope[2] * xy] }
+    }
+}
+
+/// The smooth step of each axis, and its derivative.
+#[inline(never)]
+fn steps(local: &Lanes, steepness: f32, step: &mut Lanes, slope: &mut Lanes) {
+    for (lane, &part) in local.iter().enumerate() {
+        let inside = 0.5 + (1.0 - part.abs()) * steepness;
+        let inside = if inside > 0.0 { inside } else { 0.0 };
+        let inside = if inside < 1.0 { inside } else { 1.0 };
+        step[lane] = (inside * inside) * (3.0 - 2.0 * inside);
+        slope[lane] = (6.0 * inside * (1.0 - inside)) * (-steepness).copysign(-part);
     }
 }
 
@@ -55,66 +66,188 @@ impl Sums {
     }
 }
 
-impl PolynomialOctree<'_> {
-    /// Value and gradient at a position where more leaves than the one that holds it may have a say.
-    #[inline(never)]
-    pub(crate) fn blend(&self, own: &Leaf, position: [f32; 3], polynomials: &Polynomials) -> (f32, [f32; 3]) {
-        let (support, reach) = Bits::at(self, own.place).overlap_codes(self);
-        let local = local(own, position);
-        let (value, slope) = polynomials.evaluate(local);
-        let per_half = 2.0 / self.edge(own.level);
-        let gradient = slope.map(|part| part * per_half);
-
-        // For each support code: half the edge of a leaf over twice the distance by which it reaches beyond its cell.
-        let steepness = 0.25 / self.overlap();
-        let steepness = |support: u32| steepness * (1 << support) as f32;
-        let mut sums = Sums::default();
-        sums.add(Weight::at(local, steepness(support)), per_half, 0.0, gradient);
-        let mut is_alone = true;
-        let mut other = Polynomials::default();
-        for leaf in self.around(own, position, reach) {
-            if leaf.place == own.place {
-                continue;
-            }
-            let bits = Bits::at(self, leaf.place);
-            let local = self::local(&leaf, position);
-            let weight = Weight::at(local, steepness(bits.overlap_codes(self).0));
-            if weight.value > 0.0 {
-                is_alone = false;
-                bits.decode(self, &mut other);
-                let (its_value, slope) = other.evaluate(local);
-                let per_half = 2.0 / self.edge(leaf.level);
-                sums.add(weight, per_half, its_value - value, slope.map(|part| part * per_half));
-            }
-        }
-        if is_alone {
-            return (value, gradient);
-        }
-
-        let per_weight = 1.0 / sums.weight;
-        let change = sums.value * per_weight;
-        let gradient = [0, 1, 2].map(|axis: usize| (sums.slope[axis] - change * sums.weight_slope[axis]) * per_weight);
+impl Sums {
+    /// What they make of the value and gradient of the leaf that holds the point.
+    #[inline]
+    fn mean(&self, value: f32) -> (f32, [f32; 3]) {
+        let per_weight = 1.0 / self.weight;
+        let change = self.value * per_weight;
+        let gradient = [0, 1, 2].map(|axis: usize| (self.slope[axis] - change * self.weight_slope[axis]) * per_weight);
         (value + change, gradient)
     }
+}
 
-    /// The leaves of which the supports can hold a position, and a few more.
-    fn around(&self, own: &Leaf, position: [f32; 3], reach: u32) -> Region<'_, '_> {
+/// Of a leaf next to another, whether it alone is there, or finer ones may be.
+enum Neighbour {
+    Alone,
+    Among,
+}
+
+impl PolynomialOctree<'_> {
+    /// Value and gradient at a place near a face of its leaf, where the leaf alone would answer `own`.
+    #[inline(never)]
+    pub(crate) fn blend(
+        &self,
+        place: &Place,
+        codes: OverlapCodes,
+        local: &Lanes,
+        own: (f32, [f32; 3]),
+    ) -> (f32, [f32; 3]) {
+        if codes.reach == 0 {
+            return self.blend_all(place, codes, local, own);
+        }
+        let beyond = self.neighbour_cells(place, codes, local);
+        if beyond == [None; 3] {
+            return own;
+        }
+
+        // The leaf beyond each near face, edge and corner.
+        let mut sums = self.sums_of(place, codes, local, own);
+        let weight = sums.weight;
+        let mut seen = [place.leaf; 8];
+        for directions in 1..8_usize {
+            let mut cell = place.cell;
+            let is_near = [0, 1, 2].map(|axis: usize| match beyond[axis] {
+                _ if directions >> axis & 1 == 0 => true,
+                Some(next) => {
+                    cell[axis] = next;
+                    true
+                }
+                None => false,
+            });
+            if is_near != [true; 3] {
+                continue;
+            }
+            let (leaf, shift) = self.leaf_beside(place, cell);
+            if shift > place.shift && seen.contains(&leaf) {
+                continue;
+            }
+            seen[directions] = leaf;
+            let along = if shift < place.shift { !directions } else { 0 };
+            if let Neighbour::Among = self.add(&mut sums, leaf, &cell, shift, along, place, own.0) {
+                return self.blend_all(place, codes, local, own);
+            }
+        }
+        if sums.weight == weight { own } else { sums.mean(own.0) }
+    }
+
+    /// The same where leaves are so small that there may be more of them than directions.
+    #[cold]
+    #[inline(never)]
+    fn blend_all(&self, place: &Place, codes: OverlapCodes, local: &Lanes, own: (f32, [f32; 3])) -> (f32, [f32; 3]) {
+        let mut sums = self.sums_of(place, codes, local, own);
+        for Leaf { cell: [x, y, z], edge, place: leaf, .. } in self.around(place, codes.reach) {
+            if leaf != place.leaf {
+                self.add(&mut sums, leaf, &[x, y, z, 0], edge.trailing_zeros(), 0, place, own.0);
+            }
+        }
+        sums.mean(own.0)
+    }
+
+    /// Along each axis the cell next to the leaf on the side that a place is near to, if there is one.
+    #[inline]
+    fn neighbour_cells(&self, place: &Place, codes: OverlapCodes, local: &Lanes) -> [Option<u32>; 3] {
+        let within = self.alone_within(codes.reach);
+        let cells = self.lattice.cells();
+        [0, 1, 2].map(|axis: usize| {
+            let low = place.cell[axis] >> place.shift << place.shift;
+            let high = low + (1 << place.shift);
+            if local[axis] > within && high < cells[axis] {
+                Some(high)
+            } else if local[axis] < -within && low > 0 {
+                Some(low - 1)
+            } else {
+                None
+            }
+        })
+    }
+
+    /// The leaf of a cell, from the node that holds that and a place.
+    #[inline]
+    fn leaf_beside(&self, place: &Place, cell: [u32; 4]) -> (u32, u32) {
+        let [x, y, z, _] = cell;
+        let depth = u32::from(self.lattice.depth);
+        let different = (x ^ place.cell[0]) | (y ^ place.cell[1]) | (z ^ place.cell[2]);
+        let shift = u32::BITS - different.leading_zeros();
+        if shift > depth {
+            let root = self.root(self.lattice.root_of([x, y, z]));
+            return self.descend([x, y, z], root, depth, |_, _| ());
+        }
+        let record = place.path[shift.wrapping_sub(1) as usize & 15];
+        self.descend([x, y, z], Node::Inner(record), shift, |_, _| ())
+    }
+
+    /// The sums over the leaf of a place alone.
+    #[inline]
+    fn sums_of(&self, place: &Place, codes: OverlapCodes, local: &Lanes, own: (f32, [f32; 3])) -> Sums {
+        let mut sums = Sums::default();
+        let weight = Weight::at(local, self.steepness(codes.support));
+        sums.add(weight, self.lattice.per_half(place.shift), 0.0, own.1);
+        sums
+    }
+
+    /// Adds another leaf. It may not be alone if its own neighbours reach the place along one of the axes `along`.
+    #[inline(never)]
+    fn add(
+        &self,
+        sums: &mut Sums,
+        leaf: u32,
+        cell: &[u32; 4],
+        shift: u32,
+        along: usize,
+        place: &Place,
+        value: f32,
+    ) -> Neighbour {
+        let bits = Bits::at(self, leaf);
+        let codes = bits.overlap_codes(self);
+        let local = local(cell, shift, &place.position);
+        let within = self.alone_within(codes.reach);
+        let is_among = |axis: usize| along >> axis & 1 == 1 && local[axis].abs() > within;
+        if is_among(0) | is_among(1) | is_among(2) {
+            return Neighbour::Among;
+        }
+        let weight = Weight::at(&local, self.steepness(codes.support));
+        if weight.value > 0.0 {
+            let mut polynomials = Polynomials::default();
+            bits.decode(self, &mut polynomials);
+            let (its_value, slope) = polynomials.evaluate(local);
+            let per_half = self.lattice.per_half(shift);
+            sums.add(weight, per_half, its_value - value, slope.map(|part| part * per_half));
+        }
+        Neighbour::Alone
+    }
+
+    /// The leaves of which the supports can hold a place, and a few more.
+    fn around(&self, place: &Place, reach: u32) -> Region<'_, '_> {
         // How far supports reach into the leaf, in finest cells. Where one is too fine for the code, as far as they may.
         let share = match reach {
             0 => (1 << (leaf::MAX_LEVELS_APART - leaf::MAX_SUPPORT)) as f32,
             _ => math::power_of_half(reach as u8 - 1),
         };
-        let margin = self.overlap() * own.edge as f32 * share;
-        let low = position.map(|part| (part - margin) as u32);
-        let high = position.map(|part| (part + margin) as u32);
-        Region::new(self, self.lattice.clamp(low), self.lattice.clamp(high))
+        let margin = self.overlap() * (1_u32 << place.shift) as f32 * share;
+        // Never below zero, and never beyond the lattice.
+        let low = place.position.map(|part| (part - margin).max(0.0));
+        let high = place.position.map(|part| part + margin);
+        Region::new(self, self.lattice.cell_of(low), self.lattice.cell_of(high))
+    }
+
+    /// Half the edge of a leaf over twice the distance by which it reaches beyond its cell.
+    #[inline]
+    fn steepness(&self, support: u32) -> f32 {
+        self.steepness * (1 << support) as f32
     }
 }
 
-/// Local coordinates of a position, -1 to 1 within the leaf.
-#[inline]
-pub(crate) fn local(leaf: &Leaf, position: [f32; 3]) -> [f32; 3] {
-    // Powers of two: both divisions are exact.
-    let per_half = f32::from_bits((128 - leaf.edge.trailing_zeros()) << 23);
-    [0, 1, 2].map(|axis: usize| (position[axis] - leaf.cell[axis] as f32) * per_half - 1.0)
+/// Local coordinates of a position, -1 to 1 within the leaf that holds a cell, and 0.
+#[inline(never)]
+pub(crate) fn local(cell: &[u32; 4], shift: u32, position: &Position) -> Lanes {
+    const AXES: Lanes = [1.0, 1.0, 1.0, 0.0];
+    // A power of two: the product is exact.
+    let per_half = f32::from_bits((128 - shift) << 23);
+    let align = u32::MAX << shift;
+    let mut local = *position;
+    for (lane, part) in local.iter_mut().enumerate() {
+        *part = (*part - (cell[lane] & align).cast_signed() as f32) * per_half - AXES[lane];
+    }
+    local
 }

@@ -61,7 +61,7 @@ fn move_to(octree: &Octree<'_>, point: [f32; 3], last: &mut Option<Leaf>, jets: 
     let leaf = match *last {
         Some(leaf) if octree.lattice.holds(&leaf, position) => leaf,
         _ => {
-            let leaf = octree.leaf_at(position.map(|cells| cells as u32));
+            let leaf = octree.leaf_in(octree.lattice.cell_of(position));
             octree.read_corners(&leaf, jets);
             *last = Some(leaf);
             leaf

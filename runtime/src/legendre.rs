@@ -20,7 +20,7 @@ pub(crate) struct Coefficients {
 }
 
 /// The Legendre polynomials at a point, and their derivatives.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Basis {
     /// x y z 1.
     first: Lanes,
@@ -48,26 +48,28 @@ pub(crate) struct Sums {
 /// Every index of a vector.
 const ALL: [usize; 4] = [0, 1, 2, 3];
 
+// The functions that follow stay apart and end in memory, as those of `hermite` do, for the sake of four-wide code.
+
 impl Basis {
-    /// The basis at a point, which may lie a little beyond the cube.
-    #[inline]
-    pub(crate) fn at([x, y, z]: [f32; 3]) -> Self {
-        let first = [x, y, z, 1.0];
-        let second = ALL.map(|axis| 1.5 * (first[axis] * first[axis]) - 0.5);
-        let third = ALL.map(|axis| first[axis] * (2.5 * (first[axis] * first[axis]) - 1.5));
-        Self {
-            first,
-            next: [y, z, x, 0.0],
-            previous: [z, x, y, 0.0],
-            second: [second[0], second[1], second[2], 0.0],
-            third: [third[0], third[1], third[2], x * y * z],
-            second_slope: ALL.map(|axis| 3.0 * first[axis]),
-            third_slope: ALL.map(|axis| 7.5 * (first[axis] * first[axis]) - 1.5),
+    /// Makes it the basis at a point, which may lie a little beyond the cube. The last lane of the point is 0.
+    #[inline(never)]
+    pub(crate) fn fill(&mut self, point: &Lanes) {
+        const AXES: Lanes = [1.0, 1.0, 1.0, 0.0];
+        const LAST: Lanes = [0.0, 0.0, 0.0, 1.0];
+        let [x, y, z, _] = *point;
+        let product = [x * y * z; 4];
+        for lane in ALL {
+            let (t, square) = (point[lane], point[lane] * point[lane]);
+            self.first[lane] = t + LAST[lane];
+            self.second[lane] = 1.5 * square - 0.5 * AXES[lane];
+            self.third[lane] = t * (2.5 * square - 1.5) + product[lane] * LAST[lane];
+            self.second_slope[lane] = 3.0 * t;
+            self.third_slope[lane] = 7.5 * square - 1.5;
         }
+        self.next = [y, z, x, 0.0];
+        self.previous = [z, x, y, 0.0];
     }
 }
-
-// The functions that follow stay apart and end in memory, as those of `hermite` do, for the sake of four-wide code.
 
 impl Coefficients {
     /// Value and derivatives at a point of the basis, in steps.
