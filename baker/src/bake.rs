@@ -1,7 +1,7 @@
 //! The pipeline, on one screen.
 
 use crate::distance::{SignMethod, SignedDistance};
-use crate::encode::{EncodeError, Provenance, encode, encode_grid, encode_polynomial, write_contract};
+use crate::encode::{EncodeError, Provenance, encode, encode_grid, encode_polynomial, write_contract, write_lipschitz};
 use crate::field_function::FieldFunction;
 use crate::geometry::Aabb;
 use crate::grid::{self, Grid};
@@ -12,7 +12,7 @@ use crate::polynomial::PolynomialOctree;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
 use crate::settings::{Layout, Settings, SettingsError};
-use crate::verify::{self, CONTRACT_SEED};
+use crate::verify::{self, CONTRACT_SEED, Measurement};
 use nearfield::Field;
 use nearfield::layout::{self, limit};
 use thiserror::Error;
@@ -84,7 +84,7 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     stopwatch.stage("verify");
     let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
     let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
-    write_contract(&mut bytes, &measurement.contract());
+    finish(&mut bytes, settings, &measurement);
 
     let report =
         Report { sign_method: Some(sign_method), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
@@ -123,9 +123,20 @@ pub fn bake_function(
     stopwatch.stage("verify");
     let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
     let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
-    write_contract(&mut bytes, &measurement.contract());
+    finish(&mut bytes, settings, &measurement);
     let report = Report { sign_method: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
+}
+
+/// How much steeper than the steepest slope that was measured a blended field is allowed to be.
+const SLOPE_MARGIN: f64 = 1.25;
+
+/// Writes into the header what was measured.
+fn finish(bytes: &mut [u8], settings: &Settings, measurement: &Measurement) {
+    write_contract(bytes, &measurement.contract());
+    if matches!(settings.layout, Layout::Polynomial(_)) {
+        write_lipschitz(bytes, SLOPE_MARGIN * measurement.steepest.max(1.0));
+    }
 }
 
 /// What the layouts have in common once they are bytes.
@@ -146,8 +157,7 @@ fn build(
     match &settings.layout {
         Layout::Polynomial(polynomial) => {
             stopwatch.stage("octree");
-            let octree =
-                PolynomialOctree::build(function, bounds, settings, polynomial, provenance.diagonal, progress);
+            let octree = PolynomialOctree::build(function, bounds, settings, polynomial, provenance.diagonal, progress);
             stopwatch.stage("encode");
             let bytes = encode_polynomial(&octree, provenance)?;
             Ok(Built { bytes, leaves_by_level: octree.leaves_by_level(), samples: octree.samples })

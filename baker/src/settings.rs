@@ -229,7 +229,9 @@ pub enum SettingsError {
     #[error("the greatest error must be a positive number, not {0}")]
     MaxError(f64),
     /// The overlap is not one of the format.
-    #[error("the overlap must be from {MIN_OVERLAP} to {MAX_OVERLAP}, not {0}; for none at all, ask for --continuity none")]
+    #[error(
+        "the overlap must be from {MIN_OVERLAP} to {MAX_OVERLAP}, not {0}; for none at all, ask for --continuity none"
+    )]
     Overlap(f64),
     /// The margin is negative or not finite.
     #[error("the margin must be zero or more and at most 100, not {0}")]

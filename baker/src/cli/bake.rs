@@ -283,7 +283,8 @@ impl Bake {
             return Ok(Layout::Polynomial(polynomial));
         }
         if polynomial != PolynomialSettings::default() {
-            let sentence = "--max-error, --profile and --overlap are of polynomial leaves: use --interpolant polynomial";
+            let sentence =
+                "--max-error, --profile and --overlap are of polynomial leaves: use --interpolant polynomial";
             return Err(Failure::Usage(sentence.to_owned()));
         }
         Ok(layout)

@@ -38,11 +38,14 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         warnings.push(format!("the mesh is inside out, so {consequence}; flip its triangles"));
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
-    if !matches!(settings.layout, Layout::Grid(_)) && report.measurement.uniform.rmse > target {
-        warnings.push(format!(
-            "the error is {:.2} times the target; raise --max-depth or the target",
-            report.measurement.uniform.rmse / target
-        ));
+    let error = match &settings.layout {
+        Layout::Polynomial(polynomial) if polynomial.profile == Profile::Surface => report.measurement.band.rmse,
+        Layout::Polynomial(_) | Layout::Octree => report.measurement.uniform.rmse,
+        Layout::Grid(_) => 0.0,
+    };
+    if error > target {
+        let times = error / target;
+        warnings.push(format!("the error is {times:.2} times the target; raise --max-depth or the target"));
     }
     warnings
 }

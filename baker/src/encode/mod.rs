@@ -7,7 +7,7 @@ mod octree;
 mod polynomial;
 mod shapes;
 
-pub use container::{Provenance, write_contract};
+pub use container::{Provenance, write_contract, write_lipschitz};
 
 use crate::geometry::Aabb;
 use crate::grid::Grid;
@@ -34,12 +34,13 @@ pub fn encode(octree: &Octree, provenance: &Provenance) -> Result<Vec<u8>, Encod
     container::assemble(&shape, provenance, &octree::sections(octree)?)
 }
 
-/// The file of a polynomial octree, its error contract still blank.
+/// The file of a polynomial octree, its error contract and its Lipschitz bound still blank: what blending adds to the
+/// slopes of the leaves is measured, on the finished field.
 pub fn encode_polynomial(octree: &PolynomialOctree, provenance: &Provenance) -> Result<Vec<u8>, EncodeError> {
     let domain = &octree.cells.domain;
     let max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
     let bounds = Aabb { min: domain.origin, max };
-    let shape = Shape { family: family::POLYNOMIAL, bounds, lipschitz: octree.lipschitz };
+    let shape = Shape { family: family::POLYNOMIAL, bounds, lipschitz: 0.0 };
     container::assemble(&shape, provenance, &polynomial::sections(octree)?)
 }
 

@@ -65,7 +65,8 @@ impl<'a> Table<'a> {
         let leaves: u64 = self.groups.iter().map(|(_, group)| u64::from(group.leaves)).sum();
         let mut best: Option<(u64, Vec<usize>)> = None;
         let mut widening = 0;
-        let mut costs: Vec<Option<(u64, usize)>> = kept.iter().map(|&shape| self.cost_of_dropping(shape, &kept)).collect();
+        let mut costs: Vec<Option<(u64, usize)>> =
+            kept.iter().map(|&shape| self.cost_of_dropping(shape, &kept)).collect();
         loop {
             let bits = bits_for(kept.len());
             if bits <= u32::from(polynomial::MAX_SHAPE_BITS) {

@@ -41,8 +41,6 @@ pub struct PolynomialOctree {
     pub overlap: f64,
     /// How coefficients were rounded.
     pub steps: Steps,
-    /// Upper bound of the gradient's length inside the domain.
-    pub lipschitz: f64,
     /// Points at which the function was sampled.
     pub samples: usize,
 }
@@ -71,7 +69,7 @@ impl PolynomialOctree {
         };
         let mut refinement = Refinement {
             function,
-            stencil: Stencil::new(),
+            stencil: Stencil::default(),
             steps: Steps::new((rmse * FINEST_STEP) as f32),
             demand: Demand { near, constant_within },
             graded: overlap > 0.0,
@@ -81,7 +79,7 @@ impl PolynomialOctree {
         let cells = refinement.refine(domain);
         let (steps, samples) = (refinement.steps, refinement.samples);
         let reaches = overlap::reaches(&cells);
-        Self { cells, reaches, overlap, steps, lipschitz: 2.5, samples }
+        Self { cells, reaches, overlap, steps, samples }
     }
 
     /// Leaves of each level below the root grid.

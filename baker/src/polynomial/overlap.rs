@@ -121,8 +121,11 @@ impl<'a> Blend<'a> {
             steps[axis] = t * t * (3.0 - 2.0 * t);
             slopes[axis] = -offset.signum() * 6.0 * t * (1.0 - t) / (2.0 * delta);
         }
-        let gradient =
-            DVec3::new(slopes[0] * steps[1] * steps[2], steps[0] * slopes[1] * steps[2], steps[0] * steps[1] * slopes[2]);
+        let gradient = DVec3::new(
+            slopes[0] * steps[1] * steps[2],
+            steps[0] * slopes[1] * steps[2],
+            steps[0] * steps[1] * slopes[2],
+        );
         (steps[0] * steps[1] * steps[2], gradient)
     }
 }

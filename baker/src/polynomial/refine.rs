@@ -66,7 +66,9 @@ impl Refinement<'_> {
     /// Splits the cells of the level above that have found no leaf.
     fn split_failed(&mut self, cells: &mut Cells, level: u8) {
         let failed: Vec<usize> = (0..cells.all.len())
-            .filter(|&place| cells.all[place].level + 1 == level && matches!(cells.all[place].content, Content::Inner(_)))
+            .filter(|&place| {
+                cells.all[place].level + 1 == level && matches!(cells.all[place].content, Content::Inner(_))
+            })
             .filter(|&place| matches!(cells.all[place].content, Content::Inner(u32::MAX)))
             .collect();
         self.split(cells, &failed, level);
@@ -98,7 +100,7 @@ impl Refinement<'_> {
 
             let is_last = level == domain.depth;
             let found: Vec<Option<Coded>> =
-                samples.par_chunks(POINTS).map(|samples| self.leaf(samples, is_last)).collect();
+                samples.par_chunks(POINTS).map(|samples| self.leaf(samples, edge, is_last)).collect();
             cells.all.extend(batch.iter().zip(found).map(|(&origin, leaf)| Cell {
                 origin,
                 level,
@@ -107,9 +109,9 @@ impl Refinement<'_> {
         }
     }
 
-    fn leaf(&self, samples: &[Sample], is_last: bool) -> Option<Coded> {
+    fn leaf(&self, samples: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
         let tolerance = self.demand.of(samples);
-        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, tolerance);
+        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, edge, tolerance);
         cheapest.or_else(|| is_last.then(|| choose::best(&self.stencil, &self.steps, samples, tolerance)))
     }
 

@@ -73,13 +73,8 @@ impl Steps {
 
     /// Rounds a piece; none if a coefficient takes more bits than the format has.
     pub fn code(&self, piece: &Piece, exponent: u8) -> Option<Coded> {
-        let mut coded = Coded {
-            kind: piece.kind,
-            degrees: piece.degrees,
-            exponent,
-            codes: [[0; TERMS]; 2],
-            widths: [0; 4],
-        };
+        let mut coded =
+            Coded { kind: piece.kind, degrees: piece.degrees, exponent, codes: [[0; TERMS]; 2], widths: [0; 4] };
         for i in 0..piece.kind.polynomials() {
             for term in 0..TERMS_UP_TO[usize::from(piece.degrees[i])] {
                 let degree = degree_of(term);
@@ -134,6 +129,9 @@ mod tests {
             let error = (decoded.coefficients[0][term] - piece.coefficients[0][term]).abs();
             assert!(error <= 0.5 * steps.step(1, degree_of(term)), "term {term}: {error}");
         }
-        assert_eq!(coded.bits(&coded.widths), coded.stored().map(|(d, _)| u32::from(coded.widths[usize::from(d)])).sum());
+        assert_eq!(
+            coded.bits(&coded.widths),
+            coded.stored().map(|(d, _)| u32::from(coded.widths[usize::from(d)])).sum()
+        );
     }
 }

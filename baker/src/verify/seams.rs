@@ -28,6 +28,8 @@ pub struct SeamStatistics {
     pub gradient_max: f64,
     /// Root mean square length of the difference of the gradients.
     pub gradient_rms: f64,
+    /// Length of the longest gradient.
+    pub steepest: f64,
 }
 
 /// Asks both sides of every face between leaves at random points.
@@ -36,8 +38,8 @@ pub struct SeamStatistics {
 /// from the one on its low side. So every face counts once.
 pub(super) fn measure(field: &Field<'_>, seed: u64) -> SeamStatistics {
     match (field.octree(), field.polynomial_octree(), field.grid()) {
-        (Some(octree), _, _) => of_tree(&Tree::Interpolants(octree), seed),
-        (_, Some(octree), _) => of_tree(&Tree::Polynomials(octree, *field), seed),
+        (Some(octree), _, _) => of_tree(&Tree::Interpolants(&octree), seed),
+        (_, Some(octree), _) => of_tree(&Tree::Polynomials(&octree, field), seed),
         (_, _, Some(grid)) => of_grid(&grid, seed),
         (None, None, None) => SeamStatistics::default(),
     }
@@ -45,8 +47,8 @@ pub(super) fn measure(field: &Field<'_>, seed: u64) -> SeamStatistics {
 
 /// What has leaves.
 enum Tree<'a> {
-    Interpolants(Octree<'a>),
-    Polynomials(PolynomialOctree<'a>, Field<'a>),
+    Interpolants(&'a Octree<'a>),
+    Polynomials(&'a PolynomialOctree<'a>, &'a Field<'a>),
 }
 
 type Answer = (f32, [f32; 3]);
@@ -222,6 +224,7 @@ struct Sums {
     squares: f64,
     gradient_max: f64,
     gradient_squares: f64,
+    steepest: f64,
 }
 
 impl Sums {
@@ -238,6 +241,7 @@ impl Sums {
             squares: jump * jump,
             gradient_max: gradient_square.sqrt(),
             gradient_squares: gradient_square,
+            steepest: length(gradient_here).max(length(gradient_there)),
         });
     }
 
@@ -248,6 +252,7 @@ impl Sums {
             squares: self.squares + other.squares,
             gradient_max: self.gradient_max.max(other.gradient_max),
             gradient_squares: self.gradient_squares + other.gradient_squares,
+            steepest: self.steepest.max(other.steepest),
         }
     }
 
@@ -259,6 +264,11 @@ impl Sums {
             rms: root_mean(self.squares),
             gradient_max: self.gradient_max,
             gradient_rms: root_mean(self.gradient_squares),
+            steepest: self.steepest,
         }
     }
+}
+
+fn length(gradient: [f32; 3]) -> f64 {
+    gradient.into_iter().map(f64::from).map(|part| part * part).sum::<f64>().sqrt()
 }

@@ -3,7 +3,7 @@
 use super::basis::{MAX_DEGREE, TERMS, TERMS_UP_TO};
 use super::kink;
 use super::piece::{Kind, Piece};
-use super::stencil::Stencil;
+use super::stencil::{SPACING, Stencil};
 use crate::field_function::Sample;
 
 /// A fit and how far it is from the samples.
@@ -46,6 +46,22 @@ pub fn errors(stencil: &Stencil, piece: &Piece, samples: &[Sample]) -> Errors {
     let second = stencil.values(&piece.coefficients[1], terms(1));
     let chosen = first.into_iter().zip(second).map(|(a, b)| if piece.kind.takes_first(a, b) { a } else { b });
     Errors::of(chosen, samples)
+}
+
+/// How far a piece may be from the function between its samples, by its slopes at them, mesh units: half the way to
+/// the next sample times the difference of the gradients. Where two polynomials meet, the better counts.
+///
+/// This sees polynomials that swing between samples, and nothing else.
+pub fn doubt(stencil: &Stencil, piece: &Piece, samples: &[Sample], edge: f64) -> f64 {
+    let squared = samples.iter().enumerate().map(|(point, sample)| {
+        let wanted = 0.5 * edge * sample.gradient;
+        let of = |i: usize| {
+            let terms = TERMS_UP_TO[usize::from(piece.degrees[i])];
+            stencil.gradient(point, &piece.coefficients[i], terms).distance_squared(wanted)
+        };
+        (0..piece.kind.polynomials()).map(of).fold(f64::INFINITY, f64::min)
+    });
+    0.5 * SPACING * squared.fold(0.0, f64::max).sqrt()
 }
 
 /// The best polynomial of each degree, and the best pairs.

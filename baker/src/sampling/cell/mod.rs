@@ -7,6 +7,6 @@ mod normal_equations;
 mod piece;
 mod stencil;
 
-pub use fit::{Errors, Fit, errors, fits};
+pub use fit::{Errors, Fit, doubt, errors, fits};
 pub use piece::{Kind, Piece};
 pub use stencil::{POINTS, Stencil};

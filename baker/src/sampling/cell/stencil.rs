@@ -10,6 +10,8 @@ const PER_AXIS: usize = 5;
 /// Where they are. Middles of equal parts (0.8 and 0.4) see less of what happens near the faces, where the error is
 /// greatest: at equal root mean square error they leave twice the greatest one.
 const NODES: [f64; PER_AXIS] = [-0.9, -0.45, 0.0, 0.45, 0.9];
+/// Distance between neighbours.
+pub(super) const SPACING: f64 = 0.45;
 /// Points of a cell.
 pub const POINTS: usize = PER_AXIS * PER_AXIS * PER_AXIS;
 
@@ -19,15 +21,17 @@ pub struct Stencil {
     points: [DVec3; POINTS],
     /// Every term at every point.
     terms: Vec<[f64; TERMS]>,
+    /// The gradient of every term at every point.
+    gradients: Vec<[DVec3; TERMS]>,
     /// Products of all pairs of terms at every point.
     products: Vec<[f64; PAIRS]>,
     /// Sum of the products over all points.
     all_products: [f64; PAIRS],
 }
 
-impl Stencil {
+impl Default for Stencil {
     /// Tabulates the basis.
-    pub fn new() -> Self {
+    fn default() -> Self {
         let points: [DVec3; POINTS] = std::array::from_fn(|i| {
             DVec3::new(NODES[i % PER_AXIS], NODES[i / PER_AXIS % PER_AXIS], NODES[i / PER_AXIS / PER_AXIS])
         });
@@ -39,13 +43,16 @@ impl Stencil {
                 std::array::from_fn(|_| pairs.next().expect("as many pairs"))
             })
             .collect();
+        let gradients = points.iter().map(|&point| basis::gradients(point)).collect();
         let mut all_products = [0.0; PAIRS];
         for products in &products {
             all_products.iter_mut().zip(products).for_each(|(sum, product)| *sum += product);
         }
-        Self { points, terms, products, all_products }
+        Self { points, terms, gradients, products, all_products }
     }
+}
 
+impl Stencil {
     /// The points of a cell, mesh units.
     pub fn points_of(&self, centre: DVec3, edge: f64) -> impl Iterator<Item = DVec3> {
         self.points.iter().map(move |&point| centre + 0.5 * edge * point)
@@ -57,6 +64,12 @@ impl Stencil {
             let (terms_here, coefficients) = (&self.terms[point][..terms], &coefficients[..terms]);
             terms_here.iter().zip(coefficients).map(|(term, coefficient)| term * coefficient).sum()
         })
+    }
+
+    /// The gradient of a polynomial at a point, by the coordinates of the cube.
+    pub(super) fn gradient(&self, point: usize, coefficients: &[f64; TERMS], terms: usize) -> DVec3 {
+        let gradients = self.gradients[point][..terms].iter().zip(&coefficients[..terms]);
+        gradients.map(|(gradient, &coefficient)| *gradient * coefficient).sum()
     }
 
     /// The equations of all samples.
