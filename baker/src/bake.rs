@@ -1,5 +1,6 @@
 //! The pipeline, on one screen.
 
+use crate::budget::{self, TooSmall};
 use crate::distance::{SignMethod, SignedDistance};
 use crate::encode::{EncodeError, Provenance, encode, encode_grid, encode_polynomial, write_contract, write_lipschitz};
 use crate::field_function::FieldFunction;
@@ -11,7 +12,7 @@ use crate::octree::domain::Domain;
 use crate::polynomial::PolynomialOctree;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
-use crate::settings::{Layout, Settings, SettingsError};
+use crate::settings::{Layout, Settings, SettingsError, Target};
 use crate::verify::{self, CONTRACT_SEED, Measurement};
 use nearfield::Field;
 use nearfield::layout::{self, limit};
@@ -47,6 +48,16 @@ pub enum BakeError {
     /// The format cannot hold the field.
     #[error(transparent)]
     Encode(#[from] EncodeError),
+    /// The smallest field is larger than the bytes allow.
+    #[error(
+        "no field of this mesh and these settings is smaller than {smallest} bytes, which is more than {max_bytes}"
+    )]
+    Budget {
+        /// Bytes that were allowed.
+        max_bytes: u64,
+        /// Bytes of the smallest field.
+        smallest: usize,
+    },
     /// The reader rejects what was encoded: a defect of the baker.
     #[error("the baker wrote a field that its own reader rejects ({0}); please report this")]
     Rejected(nearfield::Error),
@@ -78,7 +89,7 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
 
     // 2. Samples, 3. bytes.
     let Built { mut bytes, leaves_by_level, samples } =
-        build(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
+        build_within_budget(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     // 4. The error contract, as the shipping reader answers.
     stopwatch.stage("verify");
@@ -118,7 +129,7 @@ pub fn bake_function(
     };
     let mut stopwatch = Stopwatch::start(progress);
     let Built { mut bytes, leaves_by_level, samples } =
-        build(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
+        build_within_budget(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     stopwatch.stage("verify");
     let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
@@ -144,6 +155,28 @@ struct Built {
     bytes: Vec<u8>,
     leaves_by_level: Vec<usize>,
     samples: usize,
+}
+
+/// Builds once, or as often as it takes to find the least error that fits.
+fn build_within_budget(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    provenance: &Provenance,
+    stopwatch: &mut Stopwatch<'_>,
+    progress: &dyn Progress,
+) -> Result<Built, BakeError> {
+    let Some(max_bytes) = settings.max_bytes else {
+        return build(function, bounds, settings, provenance, stopwatch, progress);
+    };
+    let with_error = |error: f64| {
+        let target_error = error * provenance.diagonal;
+        let settings = Settings { error: Target::Absolute(target_error), ..*settings };
+        let provenance = Provenance { target_error, ..*provenance };
+        build(function, bounds, &settings, &provenance, stopwatch, progress).ok()
+    };
+    budget::finest_within(usize::try_from(max_bytes).unwrap_or(usize::MAX), with_error, |built| built.bytes.len())
+        .map_err(|TooSmall { smallest }| BakeError::Budget { max_bytes, smallest })
 }
 
 fn build(

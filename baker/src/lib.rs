@@ -2,6 +2,7 @@
 
 mod bake;
 pub mod batch;
+mod budget;
 pub mod corner;
 pub mod depfile;
 pub mod distance;

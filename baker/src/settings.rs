@@ -184,6 +184,8 @@ pub struct Settings {
     pub layout: Layout,
     /// Target error of every leaf.
     pub error: Target,
+    /// Bytes that the file of an octree may take; the error is then the least that fits, and `error` is not looked at.
+    pub max_bytes: Option<u64>,
     /// Interpolant of the leaves.
     pub interpolant: Interpolant,
     /// Continuity across levels.
@@ -207,6 +209,7 @@ impl Default for Settings {
         Self {
             layout: Layout::Octree,
             error: Target::Relative(5e-4),
+            max_bytes: None,
             interpolant: Interpolant::Tricubic,
             continuity: Continuity::C1,
             precision: Precision::Packed32,
@@ -233,6 +236,9 @@ pub enum SettingsError {
         "the overlap must be from {MIN_OVERLAP} to {MAX_OVERLAP}, not {0}; for none at all, ask for --continuity none"
     )]
     Overlap(f64),
+    /// The size of a grid follows from its resolution.
+    #[error("the size of a grid follows from its resolution: ask for --resolution, or for --layout octree")]
+    GridBytes,
     /// The margin is negative or not finite.
     #[error("the margin must be zero or more and at most 100, not {0}")]
     Margin(f64),
@@ -331,6 +337,7 @@ impl Settings {
             }
             Layout::Octree => {}
             Layout::Polynomial(polynomial) => polynomial.check()?,
+            Layout::Grid(_) if self.max_bytes.is_some() => return Err(SettingsError::GridBytes),
             Layout::Grid(grid) => grid.check()?,
         }
         if self.samples == 0 {

@@ -1,6 +1,6 @@
 //! `nearfield bake`: a mesh to a field.
 
-use super::arguments::{Sign, Threads, not_negative, positive};
+use super::arguments::{Sign, Threads, bytes, not_negative, positive};
 use super::exit_code::Failure;
 use super::grid_arguments::GridArguments;
 use super::progress_bar::TerminalProgress;
@@ -27,6 +27,7 @@ Examples:
   nearfield bake spot.ply -o spot.nfd
   nearfield bake part.obj -o part.nfd --error-abs 0.05 --precision f16
   nearfield bake spot.ply -o small.nfd --error 1e-3 --profile surface
+  nearfield bake spot.ply -o tiny.nfd --max-bytes 16K
   nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json
   nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
   nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed")]
@@ -45,6 +46,10 @@ pub(super) struct Bake {
     /// The same error in mesh units
     #[arg(long, value_name = "E", value_parser = positive, conflicts_with = "error")]
     error_abs: Option<f64>,
+
+    /// Bytes that the field may take, as 65536, 64K or 2M; the error is then the least that fits
+    #[arg(long, value_name = "N", value_parser = bytes, conflicts_with_all = ["error", "error_abs"])]
+    max_bytes: Option<u64>,
 
     /// What stays continuous where leaves meet [default: c1; c0 for trilinear leaves]
     #[arg(long, value_enum, value_name = "C")]
@@ -251,6 +256,7 @@ impl Bake {
         let settings = Settings {
             layout: self.layout()?,
             error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
+            max_bytes: self.max_bytes,
             interpolant,
             continuity,
             precision: match self.precision {
@@ -295,7 +301,7 @@ pub(super) fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
         BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),
-        BakeError::Encode(error) => Failure::Budget(error.to_string()),
+        BakeError::Encode(_) | BakeError::Budget { .. } => Failure::Budget(format!("{}: {error}", mesh.display())),
         BakeError::Rejected(_) => Failure::Field(error.to_string()),
     }
 }
