@@ -6,8 +6,8 @@ const COARSEST: f64 = 1.0;
 const FINEST: f64 = 1e-7;
 /// First guess.
 const FIRST: f64 = 4e-3;
-/// Bytes grow about as the target to this power, which places the next guess.
-const GROWTH: f64 = 1.6;
+/// Bytes fall about as the target to this power, until two sizes tell better.
+const POWER: f64 = 1.6;
 /// A field that fills this share of the bytes is good enough.
 const FULL: f64 = 0.98;
 /// Most fields that are built.
@@ -30,7 +30,8 @@ pub(crate) fn finest_within<F>(
 ) -> Result<F, TooSmall> {
     let (mut fine, mut coarse) = (FINEST, COARSEST);
     let mut best: Option<F> = None;
-    let mut guess = FIRST;
+    let (mut guess, mut power) = (FIRST, POWER);
+    let mut last: Option<(f64, usize)> = None;
     for _ in 0..MOST_TRIALS {
         let field = build(guess);
         let bytes = field.as_ref().map_or(usize::MAX, &size);
@@ -45,14 +46,18 @@ pub(crate) fn finest_within<F>(
             fine = guess;
         }
 
-        // Where the power law puts it, a little to the side that fits, but well within what is left.
-        let aim = guess * libm::pow(bytes as f64 / (0.99 * max_bytes as f64), 1.0 / GROWTH);
+        // Where the power law through the last two sizes puts it, a little to the side that fits, within what is left.
+        if let Some((before, bytes_before)) = last.filter(|&(_, bytes_before)| bytes_before != bytes) {
+            let slope = libm::log(bytes as f64 / bytes_before as f64) / libm::log(before / guess);
+            power = slope.clamp(0.5, 4.0);
+        }
+        last = Some((guess, bytes));
+        let aim = guess * libm::pow(bytes as f64 / (0.99 * max_bytes as f64), 1.0 / power);
         let ratio = coarse / fine;
-        let (low, high) = (fine * libm::pow(ratio, 0.1), fine * libm::pow(ratio, 0.9));
-        guess = aim.clamp(low, high);
         if ratio < 1.002 {
             break;
         }
+        guess = aim.clamp(fine * libm::pow(ratio, 0.02), fine * libm::pow(ratio, 0.98));
     }
     if let Some(best) = best {
         return Ok(best);
@@ -91,7 +96,7 @@ mod tests {
         for power in [1.0, 1.6, 2.0, 3.0] {
             for max_bytes in [1500, 65_536, 1 << 20] {
                 let (found, trials) = find(max_bytes, power);
-                assert!(found.is_ok() && trials <= 12, "{max_bytes} bytes, power {power}: {trials} trials");
+                assert!(found.is_ok() && trials <= 8, "{max_bytes} bytes, power {power}: {trials} trials");
             }
         }
     }
