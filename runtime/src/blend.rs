@@ -43,9 +43,12 @@ fn steps(local: &Lanes, steepness: f32, step: &mut Lanes, slope: &mut Lanes) {
     }
 }
 
-/// Sums over leaves. The values are differences to that of the leaf that holds the point, which loses less to rounding.
+/// Sums over leaves.
 #[derive(Clone, Copy, Default)]
 struct Sums {
+    /// Value of the leaf that holds the point: the values that are summed are differences to it, which loses less to
+    /// rounding.
+    own: f32,
     weight: f32,
     weight_slope: [f32; 3],
     value: f32,
@@ -67,14 +70,21 @@ impl Sums {
 }
 
 impl Sums {
-    /// What they make of the value and gradient of the leaf that holds the point.
+    /// Value and gradient of the mean by weight.
     #[inline]
-    fn mean(&self, value: f32) -> (f32, [f32; 3]) {
+    fn mean(&self) -> (f32, [f32; 3]) {
         let per_weight = 1.0 / self.weight;
         let change = self.value * per_weight;
         let gradient = [0, 1, 2].map(|axis: usize| (self.slope[axis] - change * self.weight_slope[axis]) * per_weight);
-        (value + change, gradient)
+        (self.own + change, gradient)
     }
+}
+
+/// A leaf near a place: where it is, its edge as a power of two of finest cells, and one of those that it holds.
+struct Other {
+    leaf: u32,
+    shift: u32,
+    cell: [u32; 4],
 }
 
 /// Of a leaf next to another, whether it alone is there, or finer ones may be.
@@ -96,39 +106,34 @@ impl PolynomialOctree<'_> {
         if codes.reach == 0 {
             return self.blend_all(place, codes, local, own);
         }
-        let beyond = self.neighbour_cells(place, codes, local);
-        if beyond == [None; 3] {
+        let (axes, beyond) = self.near_sides(place, codes, local);
+        if axes == 0 {
             return own;
         }
 
-        // The leaf beyond each near face, edge and corner.
+        // The leaf beyond each near face, edge and corner: each set of axes but the empty one.
         let mut sums = self.sums_of(place, codes, local, own);
         let weight = sums.weight;
         let mut seen = [place.leaf; 8];
-        for directions in 1..8_usize {
+        let mut crossed = axes;
+        while crossed != 0 {
             let mut cell = place.cell;
-            let is_near = [0, 1, 2].map(|axis: usize| match beyond[axis] {
-                _ if directions >> axis & 1 == 0 => true,
-                Some(next) => {
-                    cell[axis] = next;
-                    true
+            for axis in 0..3 {
+                if crossed >> axis & 1 == 1 {
+                    cell[axis] = beyond[axis];
                 }
-                None => false,
-            });
-            if is_near != [true; 3] {
-                continue;
             }
-            let (leaf, shift) = self.leaf_beside(place, cell);
-            if shift > place.shift && seen.contains(&leaf) {
-                continue;
+            let other = self.leaf_beside(place, cell);
+            if other.shift <= place.shift || !seen.contains(&other.leaf) {
+                let along = if other.shift < place.shift { !crossed } else { 0 };
+                if let Neighbour::Among = self.add(&mut sums, &other, along, place) {
+                    return self.blend_all(place, codes, local, own);
+                }
+                seen[crossed as usize & 7] = other.leaf;
             }
-            seen[directions] = leaf;
-            let along = if shift < place.shift { !directions } else { 0 };
-            if let Neighbour::Among = self.add(&mut sums, leaf, &cell, shift, along, place, own.0) {
-                return self.blend_all(place, codes, local, own);
-            }
+            crossed = (crossed - 1) & axes;
         }
-        if sums.weight == weight { own } else { sums.mean(own.0) }
+        if sums.weight == weight { own } else { sums.mean() }
     }
 
     /// The same where leaves are so small that there may be more of them than directions.
@@ -138,49 +143,49 @@ impl PolynomialOctree<'_> {
         let mut sums = self.sums_of(place, codes, local, own);
         for Leaf { cell: [x, y, z], edge, place: leaf, .. } in self.around(place, codes.reach) {
             if leaf != place.leaf {
-                self.add(&mut sums, leaf, &[x, y, z, 0], edge.trailing_zeros(), 0, place, own.0);
+                let other = Other { leaf, shift: edge.trailing_zeros(), cell: [x, y, z, 0] };
+                self.add(&mut sums, &other, 0, place);
             }
         }
-        sums.mean(own.0)
+        sums.mean()
     }
 
-    /// Along each axis the cell next to the leaf on the side that a place is near to, if there is one.
+    /// Along which axes a place is near a face with a neighbour, a bit for each, and the cell beyond the nearer face.
     #[inline]
-    fn neighbour_cells(&self, place: &Place, codes: OverlapCodes, local: &Lanes) -> [Option<u32>; 3] {
+    fn near_sides(&self, place: &Place, codes: OverlapCodes, local: &Lanes) -> (u32, [u32; 3]) {
         let within = self.alone_within(codes.reach);
-        let cells = self.lattice.cells();
-        [0, 1, 2].map(|axis: usize| {
+        let (mut axes, mut beyond) = (0, [0; 3]);
+        for axis in 0..3 {
             let low = place.cell[axis] >> place.shift << place.shift;
-            let high = low + (1 << place.shift);
-            if local[axis] > within && high < cells[axis] {
-                Some(high)
-            } else if local[axis] < -within && low > 0 {
-                Some(low - 1)
-            } else {
-                None
-            }
-        })
+            let is_high = local[axis] > 0.0;
+            // One less than 0 is beyond the lattice too.
+            beyond[axis] = if is_high { low + (1 << place.shift) } else { low.wrapping_sub(1) };
+            let is_near = (local[axis].abs() > within) & (beyond[axis] < self.lattice.root_cells[axis] << self.depth());
+            axes |= u32::from(is_near) << axis;
+        }
+        (axes, beyond)
     }
 
     /// The leaf of a cell, from the node that holds that and a place.
     #[inline]
-    fn leaf_beside(&self, place: &Place, cell: [u32; 4]) -> (u32, u32) {
+    fn leaf_beside(&self, place: &Place, cell: [u32; 4]) -> Other {
         let [x, y, z, _] = cell;
         let depth = u32::from(self.lattice.depth);
         let different = (x ^ place.cell[0]) | (y ^ place.cell[1]) | (z ^ place.cell[2]);
         let shift = u32::BITS - different.leading_zeros();
-        if shift > depth {
-            let root = self.root(self.lattice.root_of([x, y, z]));
-            return self.descend([x, y, z], root, depth, |_, _| ());
-        }
-        let record = place.path[shift.wrapping_sub(1) as usize & 15];
-        self.descend([x, y, z], Node::Inner(record), shift, |_, _| ())
+        let (node, shift) = if shift > depth {
+            (self.root(self.lattice.root_of([x, y, z])), depth)
+        } else {
+            (Node::Inner(place.path[shift.wrapping_sub(1) as usize & 15]), shift)
+        };
+        let (leaf, shift) = self.descend([x, y, z], node, shift, |_, _| ());
+        Other { leaf, shift, cell }
     }
 
     /// The sums over the leaf of a place alone.
     #[inline]
     fn sums_of(&self, place: &Place, codes: OverlapCodes, local: &Lanes, own: (f32, [f32; 3])) -> Sums {
-        let mut sums = Sums::default();
+        let mut sums = Sums { own: own.0, ..Sums::default() };
         let weight = Weight::at(local, self.steepness(codes.support));
         sums.add(weight, self.lattice.per_half(place.shift), 0.0, own.1);
         sums
@@ -188,21 +193,13 @@ impl PolynomialOctree<'_> {
 
     /// Adds another leaf. It may not be alone if its own neighbours reach the place along one of the axes `along`.
     #[inline(never)]
-    fn add(
-        &self,
-        sums: &mut Sums,
-        leaf: u32,
-        cell: &[u32; 4],
-        shift: u32,
-        along: usize,
-        place: &Place,
-        value: f32,
-    ) -> Neighbour {
-        let bits = Bits::at(self, leaf);
+    fn add(&self, sums: &mut Sums, other: &Other, along: u32, place: &Place) -> Neighbour {
+        let bits = Bits::at(self, other.leaf);
         let codes = bits.overlap_codes(self);
-        let local = local(cell, shift, &place.position);
+        let mut local = [0.0; 4];
+        self::local(&other.cell, other.shift, &place.position, &mut local);
         let within = self.alone_within(codes.reach);
-        let is_among = |axis: usize| along >> axis & 1 == 1 && local[axis].abs() > within;
+        let is_among = |axis: usize| (along >> axis & 1 == 1) & (local[axis].abs() > within);
         if is_among(0) | is_among(1) | is_among(2) {
             return Neighbour::Among;
         }
@@ -210,9 +207,9 @@ impl PolynomialOctree<'_> {
         if weight.value > 0.0 {
             let mut polynomials = Polynomials::default();
             bits.decode(self, &mut polynomials);
-            let (its_value, slope) = polynomials.evaluate(local);
-            let per_half = self.lattice.per_half(shift);
-            sums.add(weight, per_half, its_value - value, slope.map(|part| part * per_half));
+            let (value, slope) = polynomials.evaluate(&local);
+            let per_half = self.lattice.per_half(other.shift);
+            sums.add(weight, per_half, value - sums.own, slope.map(|part| part * per_half));
         }
         Neighbour::Alone
     }
@@ -238,16 +235,13 @@ impl PolynomialOctree<'_> {
     }
 }
 
-/// Local coordinates of a position, -1 to 1 within the leaf that holds a cell, and 0.
+/// Local coordinates of a position, -1 to 1 within the leaf that holds a cell.
 #[inline(never)]
-pub(crate) fn local(cell: &[u32; 4], shift: u32, position: &Position) -> Lanes {
-    const AXES: Lanes = [1.0, 1.0, 1.0, 0.0];
+pub(crate) fn local(cell: &[u32; 4], shift: u32, position: &Position, local: &mut Lanes) {
     // A power of two: the product is exact.
     let per_half = f32::from_bits((128 - shift) << 23);
     let align = u32::MAX << shift;
-    let mut local = *position;
     for (lane, part) in local.iter_mut().enumerate() {
-        *part = (*part - (cell[lane] & align).cast_signed() as f32) * per_half - AXES[lane];
+        *part = (position[lane] - (cell[lane] & align).cast_signed() as f32) * per_half - 1.0;
     }
-    local
 }

@@ -79,9 +79,9 @@ pub(crate) struct Polynomials {
 impl Polynomials {
     /// Value, mesh units, and derivatives by the local coordinates, -1 to 1 within the leaf.
     #[inline]
-    pub(crate) fn evaluate(&self, local: Lanes) -> (f32, [f32; 3]) {
+    pub(crate) fn evaluate(&self, local: &Lanes) -> (f32, [f32; 3]) {
         let mut basis = Basis::default();
-        basis.fill(&local);
+        basis.fill(local);
         let (mut value, mut slope) = self.first.evaluate(self.degrees[0], &basis);
         if self.kind != kind::SINGLE {
             let (other, other_slope) = self.second.evaluate(self.degrees[1], &basis);
@@ -146,13 +146,12 @@ impl<'a> Bits<'a> {
     /// Writes the coefficients of a polynomial, of which those of degree 1 start at a bit; returns the bit after them.
     #[inline(never)]
     fn read(&self, constant: f32, degree: u32, at: u32, coefficients: &mut Coefficients) -> u32 {
+        coefficients.constant = constant;
         if degree == 0 {
-            coefficients.linear = [0.0, 0.0, 0.0, constant];
             return at;
         }
         let width = Width::new(self.shape.width(1));
         width.three(load(self.window, at), &mut coefficients.linear);
-        coefficients.linear[3] = constant;
         let at = at + 3 * width.bits;
         if degree == 1 {
             return at;
@@ -172,7 +171,7 @@ impl<'a> Bits<'a> {
         width.three(load(self.window, at), &mut coefficients.cube);
         width.three(load(self.window, at + step), &mut coefficients.next);
         width.three(load(self.window, at + 2 * step), &mut coefficients.previous);
-        coefficients.cube[3] = width.number(load(self.window, at + 3 * step) as u32);
+        coefficients.product = width.number(load(self.window, at + 3 * step) as u32);
         at + 3 * step + width.bits
     }
 }

@@ -62,6 +62,16 @@ pub(crate) struct Place {
     pub(crate) path: [u32; octree::MAX_DEPTH as usize],
 }
 
+/// A leaf that has been read, and the last place in it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Visit {
+    /// Whether there has been one.
+    is_some: bool,
+    place: Place,
+    codes: OverlapCodes,
+    polynomials: Polynomials,
+}
+
 /// How far the supports of others reach into a leaf, by its reach code: in overlaps, where half an edge of the leaf is 1.
 /// With a code of 0 everywhere.
 const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.5];
@@ -240,7 +250,7 @@ impl<'a> PolynomialOctree<'a> {
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let mut polynomials = Polynomials::default();
         Bits::at(self, leaf.place).decode(self, &mut polynomials);
-        let (value, slope) = polynomials.evaluate(padded(local.map(|part| 2.0 * part - 1.0)));
+        let (value, slope) = polynomials.evaluate(&padded(local.map(|part| 2.0 * part - 1.0)));
         let per_half = 2.0 / self.edge(leaf.level);
         (value, slope.map(|part| part * per_half))
     }
@@ -248,42 +258,59 @@ impl<'a> PolynomialOctree<'a> {
     /// Value and gradient at a point of the box.
     #[inline]
     pub(crate) fn query(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        let mut place = Place::default();
-        self.locate(point, &mut place);
-        let bits = Bits::at(self, place.leaf);
-        let mut polynomials = Polynomials::default();
-        bits.decode(self, &mut polynomials);
-        self.answer(&place, bits.overlap_codes(self), &polynomials)
+        let mut visit = Visit::default();
+        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
+        self.enter(&mut visit);
+        self.answer(&visit)
     }
 
-    /// Value and gradient at a place of which the leaf is decoded.
+    /// The same from the last visit, which it changes.
     #[inline]
-    pub(crate) fn answer(&self, place: &Place, codes: OverlapCodes, polynomials: &Polynomials) -> (f32, [f32; 3]) {
-        let local = blend::local(&place.cell, place.shift, &place.position);
-        let (value, slope) = polynomials.evaluate(local);
-        let per_half = self.lattice.per_half(place.shift);
-        let alone = (value, slope.map(|part| part * per_half));
-        let within = self.alone_within(codes.reach);
-        let is_near = local.iter().fold(false, |is_near, part| is_near | (part.abs() > within));
-        if is_near { self.blend(place, codes, &local, alone) } else { alone }
+    pub(crate) fn query_from(&self, point: [f32; 3], visit: &mut Visit) -> (f32, [f32; 3]) {
+        let last = visit.place.cell;
+        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
+        let [x, y, z, _] = visit.place.cell;
+        let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
+        if !visit.is_some || different >> visit.place.shift != 0 {
+            self.enter(visit);
+        }
+        self.answer(visit)
     }
 
-    /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.
+    /// Finds and reads the leaf of a place.
     #[inline]
-    pub(crate) fn alone_within(&self, reach: u32) -> f32 {
-        1.0 - self.overlap * REACH[reach as usize & 3]
-    }
-
-    /// Finds the leaf of a point of the box.
-    #[inline]
-    pub(crate) fn locate(&self, point: [f32; 3], place: &mut Place) {
-        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
+    fn enter(&self, visit: &mut Visit) {
+        let place = &mut visit.place;
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);
         (place.leaf, place.shift) = self.descend([x, y, z], node, depth, |shift, record| {
             place.path[shift as usize & 15] = record;
         });
+        let bits = Bits::at(self, place.leaf);
+        visit.codes = bits.overlap_codes(self);
+        bits.decode(self, &mut visit.polynomials);
+        visit.is_some = true;
+    }
+
+    /// Value and gradient at the place of a visit.
+    #[inline]
+    fn answer(&self, Visit { place, codes, polynomials, .. }: &Visit) -> (f32, [f32; 3]) {
+        let mut local = [0.0; 4];
+        blend::local(&place.cell, place.shift, &place.position, &mut local);
+        let (value, slope) = polynomials.evaluate(&local);
+        let per_half = self.lattice.per_half(place.shift);
+        let alone = (value, slope.map(|part| part * per_half));
+        let within = self.alone_within(codes.reach);
+        let [x, y, z, _] = local;
+        let is_near = (x.abs() > within) | (y.abs() > within) | (z.abs() > within);
+        if is_near { self.blend(place, *codes, &local, alone) } else { alone }
+    }
+
+    /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.
+    #[inline]
+    pub(crate) fn alone_within(&self, reach: u32) -> f32 {
+        1.0 - self.overlap * REACH[reach as usize & 3]
     }
 
     /// Number of the root word of a finest cell of the lattice, as a node.

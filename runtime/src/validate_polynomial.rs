@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::lattice::Leaf;
-use crate::layout::section::RECORDS;
+use crate::layout::section::{RECORDS, SHAPES};
 use crate::layout::{kind, leaf, polynomial, record, shape};
 use crate::polynomial_leaf::{Bits, OverlapCodes, Shape};
 use crate::polynomial_octree::{Node, PolynomialOctree, Record};
@@ -14,6 +14,9 @@ use crate::section;
 /// The order of the file makes it a tree without any memory of what was seen: the next record and the next byte of a
 /// leaf are always known.
 pub(crate) fn octree(bytes: &[u8], octree: &PolynomialOctree<'_>) -> Result<(), Error> {
+    if !section::find_bytes(bytes, SHAPES)?.len().is_multiple_of(shape::LENGTH) {
+        return Err(Error::ShapeOrder);
+    }
     check_shapes(octree)?;
     let root_count = octree.lattice.root_count() as usize;
     if octree.roots.len() != root_count {
