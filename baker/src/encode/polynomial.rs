@@ -3,15 +3,13 @@
 use super::EncodeError;
 use super::container::{Section, put};
 use super::shapes::Shapes;
-use crate::polynomial::PolynomialOctree;
 use crate::polynomial::cells::Content;
+use crate::polynomial::{MAX_BITS, PolynomialOctree};
 use nearfield::layout::{continuity, leaf, polynomial as layout, record, root_word, section};
 
 /// The sections in file order.
 pub(super) fn sections(octree: &PolynomialOctree) -> Result<Vec<Section>, EncodeError> {
-    let codes = if octree.overlap > 0.0 { leaf::SUPPORT_BITS + leaf::REACH_BITS } else { 0 };
-    let longest = 8 * 36 - u32::from(layout::MAX_SHAPE_BITS) - codes;
-    let shapes = Shapes::choose(octree.cells.leaves().map(|(_, _, coded)| coded), longest);
+    let shapes = Shapes::choose(octree.cells.leaves().map(|(_, _, coded)| coded), MAX_BITS);
     let mut writer = Writer { octree, shapes: &shapes, leaves: Vec::new(), inner: 0 };
     let (roots, records) = writer.write()?;
     let mut leaves = writer.leaves;
@@ -92,7 +90,8 @@ impl Writer<'_> {
                 Content::Leaf(_) => self.leaf(place)? as usize - first_leaf,
             };
             if child > 0 {
-                bytes[record::STARTS.start + child - 1] = u8::try_from(start).expect("leaves take 36 bytes at most");
+                bytes[record::STARTS.start + child - 1] =
+                    u8::try_from(start).expect("seven leaves of the most bits fit");
             }
         }
         let first = (first_inner as u64) | (first_leaf as u64) << record::CHILD_BITS;

@@ -4,6 +4,7 @@
 //! codes. Each shape that is dropped saves nothing by itself, but half as many shapes save a bit a leaf.
 
 use crate::quantize::piece::Coded;
+use crate::sampling::cell::Kind;
 use nearfield::layout::{kind, polynomial, shape};
 use std::collections::BTreeMap;
 
@@ -154,7 +155,6 @@ fn terms(leaf: &Coded) -> [u32; 4] {
 
 /// The shape whose codes are as wide as those of a leaf.
 fn narrowest(leaf: &Coded) -> Shape {
-    use crate::sampling::cell::Kind;
     let mut bytes = [0; shape::LENGTH];
     bytes[shape::KIND] = match leaf.kind {
         Kind::Single => kind::SINGLE,
@@ -165,4 +165,37 @@ fn narrowest(leaf: &Coded) -> Shape {
     bytes[shape::EXPONENT] = leaf.exponent;
     bytes[shape::WIDTHS].copy_from_slice(&leaf.widths);
     bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::cell::basis::TERMS;
+
+    fn leaf(widths: [u8; 4]) -> Coded {
+        let degrees = [if widths[1] > 0 { 1 } else { 0 }, 0];
+        Coded { kind: Kind::Single, degrees, exponent: 3, codes: [[0; TERMS]; 2], widths }
+    }
+
+    #[test]
+    fn rare_shapes_give_way_to_wider_ones_that_are_common() {
+        let leaves: Vec<Coded> = std::iter::repeat_n(leaf([10, 5, 0, 0]), 1000)
+            .chain([leaf([9, 5, 0, 0]), leaf([8, 4, 0, 0])])
+            .chain(std::iter::repeat_n(leaf([7, 0, 0, 0]), 1000))
+            .collect();
+        let shapes = Shapes::choose(leaves.iter(), 200);
+        assert_eq!((shapes.all.len(), shapes.bits), (2, 1));
+        for leaf in &leaves {
+            let (number, widths) = shapes.of(leaf);
+            assert!(holds(&shapes.all[number], &narrowest(leaf)), "{widths:?} for {:?}", leaf.widths);
+        }
+        assert!(shapes.all.is_sorted(), "the format wants them in order");
+    }
+
+    #[test]
+    fn no_leaf_grows_beyond_the_longest() {
+        let leaves = [leaf([24, 8, 0, 0]), leaf([8, 8, 0, 0]), leaf([8, 8, 0, 0])];
+        let shapes = Shapes::choose(leaves.iter(), 40);
+        assert_eq!(shapes.of(&leaves[1]).1, [8, 8, 0, 0]);
+    }
 }

@@ -3,11 +3,16 @@
 use crate::field_function::Sample;
 use crate::quantize::piece::{Coded, Steps};
 use crate::sampling::cell::{self, Fit, Stencil};
+use nearfield::layout::leaf::{REACH_BITS, SUPPORT_BITS};
+use nearfield::layout::polynomial::MAX_SHAPE_BITS;
+use nearfield::layout::shape::MAX_EXPONENT;
 
 /// Bits of a leaf beside its coefficients: shape and codes, and half a byte lost to the end.
 const OVERHEAD: u32 = 15;
-/// Most bits of the coefficients of a leaf: seven leaves of 36 bytes fit the starts of a record.
-const MAX_BITS: u32 = 36 * 8 - 14;
+/// Most bytes of a leaf: seven of them fit the starts of a record, whatever the eighth.
+const MAX_BYTES: u32 = 36;
+/// Most bits of the coefficients of a leaf, beside the longest shape number and the codes of the overlap.
+pub const MAX_BITS: u32 = 8 * MAX_BYTES - MAX_SHAPE_BITS as u32 - SUPPORT_BITS - REACH_BITS;
 
 /// How far a leaf may be from the function between its samples, by its slopes, in greatest errors allowed at them.
 /// Slopes are pessimists; this much catches polynomials that swing (a fifth of the greatest error over the field, for
@@ -58,7 +63,9 @@ pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], toleran
     let coded = order.iter().find_map(|fit| {
         let noise = 0.25 * (fit.errors.mean_square + tolerance.rmse * tolerance.rmse);
         let finest = steps.coarsest(&fit.piece, noise).unwrap_or(0);
-        (finest..=finest + 2)
+        // Little coarser than it should be; a constant as coarse as it must.
+        let coarsest = if fit.piece.terms() == 1 { MAX_EXPONENT } else { (finest + 2).min(MAX_EXPONENT) };
+        (finest..=coarsest)
             .find_map(|exponent| steps.code(&fit.piece, exponent).filter(|coded| coded.bits(&coded.widths) <= MAX_BITS))
     });
     coded.expect("a constant can always be coded")

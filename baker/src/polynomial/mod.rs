@@ -16,6 +16,7 @@ use crate::quantize::piece::Steps;
 use crate::sampling::cell::Stencil;
 use crate::settings::{Continuity, NEAR, PolynomialSettings, Profile, Settings};
 use cells::Cells;
+pub use choose::MAX_BITS;
 use choose::Tolerance;
 use overlap::Reach;
 use refine::{Demand, Refinement};
@@ -30,6 +31,9 @@ const LEAF_MAX: f64 = 6.0;
 const LEAF_MAX_SHARE: f64 = 0.5;
 /// The finest step, as a share of a leaf's tolerance.
 const FINEST_STEP: f64 = 1.0 / 256.0;
+/// Finest steps that the diagonal of the domain may take, in bits: what a constant has, and the largest exponent less
+/// some bits to spare.
+const COUNTED_BITS: u32 = 30;
 
 /// A built tree, rounded: all that the file will say of the field.
 pub struct PolynomialOctree {
@@ -43,6 +47,13 @@ pub struct PolynomialOctree {
     pub steps: Steps,
     /// Points at which the function was sampled.
     pub samples: usize,
+}
+
+/// The finest step: fine enough for the tolerance, but such that the coarsest can count any distance of the domain, and
+/// within the format.
+fn quantum(rmse: f64, domain: &Domain) -> f64 {
+    let least = domain.root_cells.as_dvec3().length() * domain.root_edge / f64::from(1u32 << COUNTED_BITS);
+    (FINEST_STEP * rmse).max(least).min(domain.root_edge)
 }
 
 impl PolynomialOctree {
@@ -70,7 +81,7 @@ impl PolynomialOctree {
         let mut refinement = Refinement {
             function,
             stencil: Stencil::default(),
-            steps: Steps::new((rmse * FINEST_STEP) as f32),
+            steps: Steps::new(quantum(rmse, &domain) as f32),
             demand: Demand { near, constant_within },
             graded: overlap > 0.0,
             progress,

@@ -1,7 +1,7 @@
 //! How far leaves reach into one another, and what the field is where they do (partition of unity, after
 //! Ohtake et al. 2003).
 
-use super::cells::{Cell, Cells};
+use super::cells::{Cell, Cells, Content};
 use crate::quantize::piece::Steps;
 use crate::sampling::cell::Piece;
 use glam::{DVec3, UVec3};
@@ -17,12 +17,15 @@ pub struct Reach {
     pub reach: u8,
 }
 
-/// The codes of every leaf, by its place among the cells.
+/// The codes of every leaf, by its place among the cells; those of inner cells mean nothing.
 pub fn reaches(cells: &Cells) -> Vec<Reach> {
     let supports: Vec<u8> = (0..cells.all.len())
         .into_par_iter()
         .map(|place| {
             let level = cells.all[place].level;
+            if matches!(cells.all[place].content, Content::Inner(_)) {
+                return 0;
+            }
             let mut deepest = level;
             cells.visit_touching(place, |_, other| deepest = deepest.max(other.level));
             (deepest - level).min(MAX_SUPPORT as u8)
@@ -31,6 +34,9 @@ pub fn reaches(cells: &Cells) -> Vec<Reach> {
     (0..cells.all.len())
         .into_par_iter()
         .map(|place| {
+            if matches!(cells.all[place].content, Content::Inner(_)) {
+                return Reach::default();
+            }
             // A leaf of level l and support s reaches as far as one of level l + s would reach with none.
             let level = i32::from(cells.all[place].level);
             let mut farthest = i32::MAX;
