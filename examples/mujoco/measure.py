@@ -1,0 +1,152 @@
+"""A baked field beside MuJoCo's own octree of the same mesh, in one process: `run measure [MESH]`.
+
+Bytes, seconds to make ready, errors against libigl's exact distances, nanoseconds a query in C, and a scene: two bodies fall on a
+plane and on one another. The machine may be busy: times are of this thread's CPU, the least of several interleaved rounds."""
+
+import ctypes
+import os
+import re
+import sys
+import tempfile
+import time
+
+import igl
+import mujoco
+import numpy as np
+
+from conftest import HERE, SPOT, bake
+
+DEPTHS = (5, 6, 7, 8)
+TARGETS = [1.6e-3 / 2**step for step in range(12)]
+POINTS = 100_000
+ROUNDS = 9
+
+asking = ctypes.CDLL(os.environ["NEARFIELD_MEASURE"])
+
+
+def points_around(vertices, triangles):
+    """Uniform in the box of the mesh, and within 1 % of its diagonal of the surface."""
+    random = np.random.default_rng(1)
+    low, high = vertices.min(0), vertices.max(0)
+    corners = vertices[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    chosen = corners[random.choice(len(triangles), POINTS, p=area / area.sum())]
+    on_surface = np.einsum("ij,ijk->ik", random.dirichlet([1, 1, 1], POINTS), chosen)
+    direction = random.normal(size=(POINTS, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    away = random.uniform(0, 0.01 * np.linalg.norm(high - low), (POINTS, 1))
+    return {"uniform": random.uniform(low, high, (POINTS, 3)), "band": on_surface + away * direction}
+
+
+class Shape:
+    """A geom of a compiled model, with what its making took."""
+
+    def __init__(self, name, text, depth):
+        self.name = name
+        spec = mujoco.MjSpec.from_string(text)
+        for mesh in spec.meshes:
+            mesh.octree_maxdepth = depth
+        start = time.process_time()
+        self.model = spec.compile()
+        self.data = mujoco.MjData(self.model)
+        self.seconds = time.process_time() - start
+        self.nanoseconds = {}
+
+    def octree_bytes(self):
+        """Of MuJoCo's own octree."""
+        model = self.model
+        return sum(array.nbytes for array in (model.oct_depth, model.oct_child, model.oct_aabb, model.oct_coeff))
+
+    def ask(self, what, points):
+        """Distances or gradients at points in the frame of the mesh, and the CPU seconds that they took."""
+        frame = np.empty(9)
+        mujoco.mju_quat2Mat(frame, self.model.mesh_quat[0])
+        points = np.ascontiguousarray((points - self.model.mesh_pos[0]) @ frame.reshape(3, 3))
+        answers = np.empty(points.shape if what == "gradients" else len(points))
+        address = lambda array: array.ctypes.data_as(ctypes.c_void_p)
+        model, data = ctypes.c_void_p(self.model._address), ctypes.c_void_p(self.data._address)
+        start = time.thread_time()
+        getattr(asking, f"measure_{what}")(model, data, 1, address(points), len(points), address(answers))
+        return answers, time.thread_time() - start
+
+    def errors(self, points, exact, diagonal):
+        """Root mean square and largest, as fractions of the diagonal."""
+        error = np.abs(self.ask("distances", points)[0] - exact) / diagonal
+        return np.sqrt((error**2).mean()), error.max()
+
+
+def time_queries(shapes, points):
+    """Fills in `nanoseconds` of each shape, by kind of query and set of points."""
+    for _ in range(ROUNDS):
+        for kind, chosen in points.items():
+            for what in ("distances", "gradients"):
+                for shape in shapes:
+                    taken = shape.ask(what, chosen)[1] / len(chosen) * 1e9
+                    shape.nanoseconds[kind, what] = min(taken, shape.nanoseconds.get((kind, what), np.inf))
+
+
+def fall(shape, vertices, triangles, seconds=7.0):
+    """CPU milliseconds a step, deepest contact between the bodies, and how deep one lies in the other at the end."""
+    model, data = shape.model, mujoco.MjData(shape.model)
+    steps, deepest, taken = round(seconds / model.opt.timestep), 0.0, 0.0
+    for _ in range(steps):
+        start = time.process_time()
+        mujoco.mj_step(model, data)
+        taken += time.process_time() - start
+        between = [contact.dist for contact in data.contact[: data.ncon] if (contact.geom > 0).all()]
+        deepest = min([deepest, *between])
+    placed = [vertices @ data.xmat[body].reshape(3, 3).T + data.xpos[body] for body in (1, 2)]
+    sign = igl.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
+    overlap = igl.signed_distance(placed[1], placed[0], triangles, sign_type=sign)[0].min()
+    return taken / steps * 1e3, -deepest, -overlap
+
+
+def main(mesh):
+    mujoco.mj_loadPluginLibrary(os.environ["NEARFIELD_PLUGIN"])
+    vertices, triangles = igl.read_triangle_mesh(str(mesh))
+    with_field = (HERE / "fall.xml").read_text()
+    with_octree = re.sub(r"<plugin instance=.*?/>|<extension>.*?</extension>", "", with_field, flags=re.DOTALL)
+
+    diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
+    points = points_around(vertices, triangles)
+    sign = igl.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
+    exact = {kind: igl.signed_distance(chosen, vertices, triangles, sign_type=sign)[0] for kind, chosen in points.items()}
+    errors_of = lambda shape: {kind: shape.errors(points[kind], exact[kind], diagonal) for kind in points}
+
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        igl.write_triangle_mesh("spot.obj", vertices, triangles)
+        fields = []
+        print("| shape | bytes | bake, CPU s | compile, CPU s | uniform RMSE / max | band RMSE / max "
+              "| ns, uniform | +gradient | ns, band | +gradient | ms a step | deepest contact | overlap at rest |")
+        print("|" + " --- |" * 13)
+        for depth in DEPTHS:
+            octree = Shape(f"octree, depth {depth}", with_octree, depth)
+            wanted = errors_of(octree)
+
+            # The coarsest field that is at least as exact in all four measures.
+            for place, target in enumerate(TARGETS):
+                if place == len(fields):
+                    start = os.times()
+                    bake("spot.obj", "spot.nfd", "--error", f"{target:g}")
+                    end = os.times()
+                    baked = end.children_user + end.children_system - start.children_user - start.children_system
+                    field = Shape(f"field, --error {target:g}", with_field, 1)
+                    fields.append((field, os.path.getsize("spot.nfd"), baked, errors_of(field)))
+                field, size, baked, reached = fields[place]
+                if all(ours <= theirs for kind in points for ours, theirs in zip(reached[kind], wanted[kind])):
+                    break
+
+            time_queries([octree, field], points)
+            rows = [(octree, octree.octree_bytes(), None, wanted), (field, size, baked, reached)]
+            for shape, size_of, baked_in, errors in rows:
+                step, deepest, overlap = fall(shape, vertices, triangles)
+                times = [f"{shape.nanoseconds[kind, what]:.0f}" for kind in points for what in ("distances", "gradients")]
+                cells = [shape.name, f"{size_of:_}".replace("_", " "), "" if baked_in is None else f"{baked_in:.1f}",
+                         f"{shape.seconds:.2f}", *(f"{errors[kind][0]:.1e} / {errors[kind][1]:.1e}" for kind in points),
+                         *times, f"{step:.2f}", f"{deepest:.4f}", f"{overlap:.4f}"]
+                print("| " + " | ".join(cells) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main(os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else SPOT.resolve())
