@@ -39,17 +39,17 @@ def exact_distances(points, vertices, triangles):
 def test_bodies_fall_touch_and_rest(scene):
     model = scene("fall.xml")
     data = mujoco.MjData(model)
-    deepest = step(model, data, 7.0)
+    deepest = step(model, data, 4.0)
     assert COWS in deepest, "the cows never met"
     assert min(deepest.values()) > -0.05, f"too deep: {deepest}"
 
     deepest = step(model, data, 0.5)
     assert np.abs(data.qvel).max() < 0.02, f"they still move: {data.qvel}"
-    assert COWS in deepest, "they do not lean on one another"
+    assert COWS in deepest, "they do not touch"
     lower, triangles = vertices_of("spot", data, 1)
     upper, _ = vertices_of("spot", data, 2)
     assert abs(lower[:, 2].min()) < 0.01, "the lower one does not lie on the plane"
-    assert upper[:, 2].min() > -0.01, "the upper one is in the plane"
+    assert upper[:, 2].min() > 0.1, "the upper one does not lie on the lower one"
     assert abs(exact_distances(upper, lower, triangles).min()) < 0.02, "in one another, or apart"
 
 
