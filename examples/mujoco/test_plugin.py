@@ -13,6 +13,9 @@ import screw
 
 COWS = (1, 2)
 
+# MuJoCo makes a mesh of the field.
+WITHOUT_FILE = ('file="spot.obj" inertia="exact"/>', 'inertia="exact"><plugin instance="spot"/></mesh>')
+
 
 def step(model, data, seconds):
     """Simulates; returns the deepest penetration that MuJoCo saw between each pair of geoms, metres, at most 0."""
@@ -76,7 +79,7 @@ def test_mass_is_that_of_the_mesh(scene):
 
 def test_without_a_mesh_mujoco_makes_one_of_the_field(scene):
     with_mesh = scene("fall.xml")
-    without = scene("fall.xml", [('file="spot.obj" inertia="exact"/>', '><plugin instance="spot"/></mesh>')])
+    without = scene("fall.xml", [WITHOUT_FILE])
     assert without.body_mass[1] == pytest.approx(with_mesh.body_mass[1], rel=0.02)
     data = mujoco.MjData(without)
     deepest = step(without, data, 2.0)
@@ -113,14 +116,14 @@ def test_what_is_no_field_is_named(scene, parts, name, damage, reason):
     if damage is not None:
         (parts / name).write_bytes(damage((parts / "spot.nfd").read_bytes()))
     with pytest.raises((ValueError, mujoco.FatalError), match=f"(?i){name}.*{reason}"):
-        scene("fall.xml", [('value="spot.nfd"', f'value="{name}"'), ('file="spot.obj" inertia="exact"/>', '><plugin instance="spot"/></mesh>')])
+        scene("fall.xml", [('value="spot.nfd"', f'value="{name}"'), WITHOUT_FILE])
 
 
 def test_a_field_that_was_baked_anew_is_read_anew(scene, parts):
     changed = pathlib.Path("changed.nfd")
-    boxes = []
+    masses = []
     for name in ("bolt", "nut", "bolt"):
         changed.write_bytes((parts / f"{name}.nfd").read_bytes())
-        model = scene("fall.xml", [('value="spot.nfd"', 'value="changed.nfd"'), ('file="spot.obj" inertia="exact"/>', '><plugin instance="spot"/></mesh>')])
-        boxes.append(model.body_mass[1])
-    assert boxes[0] == boxes[2] != boxes[1]
+        model = scene("fall.xml", [('value="spot.nfd"', 'value="changed.nfd"'), WITHOUT_FILE])
+        masses.append(model.body_mass[1])
+    assert masses[0] == masses[2] != masses[1]
