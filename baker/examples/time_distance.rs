@@ -16,9 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: time_distance MESH")?;
     let mesh = CheckedMesh::new(import::read(path)?)?;
     let started = Instant::now();
-    let method = SignChoice::Auto.resolve(&mesh.topology);
-    let distance = SignedDistance::new(&mesh, method);
-    println!("{} triangles, {method:?}, built in {:.0?}", mesh.triangles.len(), started.elapsed());
+    let (distance, decision) = SignedDistance::choose(&mesh, SignChoice::Auto);
+    println!("{} triangles, {:?}, built in {:.0?}", mesh.triangles.len(), decision.method, started.elapsed());
 
     let random = random_points(&mesh, 200_000);
     let rows = lattice(&mesh, 128, UVec3::new(0, 0, 56), UVec3::new(128, 128, 16));

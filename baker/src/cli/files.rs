@@ -2,7 +2,7 @@
 
 use super::exit_code::Failure;
 use nearfield::Field;
-use nearfield_bake::import;
+use nearfield_bake::import::{self, ReadOptions};
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::output;
 use std::fs;
@@ -14,9 +14,9 @@ pub(super) fn is_standard_stream(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// A mesh, welded and checked.
-pub(super) fn read_mesh(path: &Path) -> Result<CheckedMesh, Failure> {
-    let soup = import::read(path).map_err(|error| Failure::Input(error.to_string()))?;
+/// The wanted parts of a mesh, welded and checked.
+pub(super) fn read_mesh(path: &Path, options: &ReadOptions) -> Result<CheckedMesh, Failure> {
+    let soup = import::read_with(path, options).map_err(|error| Failure::Input(error.to_string()))?;
     CheckedMesh::new(soup).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 

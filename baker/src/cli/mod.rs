@@ -14,6 +14,7 @@ mod generate;
 mod grid_arguments;
 mod info;
 mod mesh;
+mod mesh_arguments;
 mod progress_bar;
 mod query;
 mod render;

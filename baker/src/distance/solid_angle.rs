@@ -32,6 +32,17 @@ impl SolidAngles {
         }
     }
 
+    /// Adds a triangle with one corner infinitely far away in a direction of unit length, and the others
+    /// at `a` and `b`.
+    pub(super) fn add_with_corner_at_infinity(&mut self, direction: DVec3, a: DVec3, b: DVec3) {
+        let [la, lb] = [a, b].map(DVec3::length);
+        let imaginary = direction.dot(a.cross(b));
+        let real = la * lb + direction.dot(a) * lb + a.dot(b) + direction.dot(b) * la;
+        if real != 0.0 || imaginary != 0.0 {
+            self.join(Self { real, imaginary, turns: 0.0 });
+        }
+    }
+
     /// Adds another sum.
     pub(super) fn join(&mut self, other: Self) {
         let real = self.real * other.real - self.imaginary * other.imaginary;

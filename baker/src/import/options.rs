@@ -15,13 +15,17 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
-    /// A text that differs where the options do; none for the default.
-    pub fn fingerprint(&self) -> Option<String> {
+    /// Joins these options to the hash of the settings that they go with: equal options, equal hash.
+    /// The defaults leave the hash as it is.
+    pub fn hash_onto(&self, settings: [u8; 8]) -> [u8; 8] {
         let Self { selection: Selection { nodes, materials }, placement } = self;
-        let is_default = self.selection.is_everything() && *placement == Placement::default();
-        (!is_default).then(|| {
-            format!("{:?} {:?} {:?} {:?} {placement:?}", nodes.with, nodes.without, materials.with, materials.without)
-        })
+        if self.selection.is_everything() && *placement == Placement::default() {
+            return settings;
+        }
+        let names = [&nodes.with, &nodes.without, &materials.with, &materials.without];
+        let digest = blake3::hash(format!("{settings:?} {names:?} {placement:?}").as_bytes());
+        let (head, _) = digest.as_bytes().split_first_chunk().expect("a digest has 32 bytes");
+        *head
     }
 }
 
