@@ -20,14 +20,11 @@ const SCHEMA: u32 = 1;
 pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report) -> Vec<String> {
     let mut warnings = Vec::new();
 
-    if let Some(sign) = &report.sign {
-        if sign.method == SignMethod::Pseudonormal
-            && let Some(obstacle) = mesh.oriented.pseudonormal_obstacle()
-        {
-            warnings.push(format!("{obstacle}; the sign may be wrong; use --sign auto"));
-        } else if let Some(obstacle) = mesh.topology.pseudonormal_obstacle() {
-            warnings.push(format!("{obstacle}; the sign comes from {}, {}", sign_name(sign.method), sign.reason));
-        }
+    if let (Some(sign), Some(obstacle)) = (&report.sign, mesh.oriented.pseudonormal_obstacle()) {
+        warnings.push(match sign.method {
+            SignMethod::Pseudonormal => format!("{obstacle}; the sign may be wrong; use --sign auto"),
+            method => format!("{obstacle}; the sign comes from {}, {}", sign_name(method), sign.reason),
+        });
     }
     warnings.extend(orientation_changes(mesh));
     if report.measurement.doubtful_signs > 0 {

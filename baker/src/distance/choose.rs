@@ -63,10 +63,12 @@ fn choose_automatically(mesh: &CheckedMesh, finder: &Finder) -> SignDecision {
     }
 
     let [winding, rays] = [SignMethod::Winding, SignMethod::Rays].map(|method| doubts(mesh, finder, method));
-    if winding > MEANINGLESS && 2 * rays < winding {
+    if winding > MEANINGLESS && rays < winding / 4 {
         return decision(SignMethod::Rays, "for the triangles face all ways, and rays agree on what is inside", None);
     }
-    decision(SignMethod::Winding, "for the surface is not closed", None)
+    let is_open = oriented.boundary_edges > 0 || oriented.inconsistent_edges > 0;
+    let reason = if is_open { "for the surface is not closed" } else { "for more than two triangles share edges" };
+    decision(SignMethod::Winding, reason, None)
 }
 
 /// Whether the outer side of some piece is inside another. The pieces do not cross.

@@ -9,7 +9,7 @@
 use super::bvh::{Child, LANES, STACK};
 use super::bvh_nearest::Finder;
 use super::local_mesh::{LocalMesh, round_down, round_up};
-use glam::{DMat3, DQuat, DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use rayon::prelude::*;
 use wide::f32x8;
 
@@ -49,21 +49,29 @@ pub(super) struct RayBox {
     max: [f32; 3],
 }
 
-/// Turns that make no edge of a usual mesh parallel to the ray: multiples of an angle that is no rational part
-/// of a turn, about an axis that leans to no plane of symmetry.
-fn rotation(number: usize) -> DMat3 {
-    let axis = DVec3::new(0.267_949, 0.618_034, 0.739_085).normalize();
-    let angle = 1.0 + 2.399_963 * number as f64;
-    let half = 0.5 * angle;
-    let quaternion =
-        DQuat::from_xyzw(axis.x * libm::sin(half), axis.y * libm::sin(half), axis.z * libm::sin(half), libm::cos(half));
-    DMat3::from_quat(quaternion.normalize())
+/// Rays that can be told apart.
+pub(super) const DIRECTIONS: usize = 7;
+
+/// The frame of a ray: directions spread over the sphere on a spiral, turned so that none lies in a plane in
+/// which meshes like to have their walls.
+fn frame_of(number: usize) -> DMat3 {
+    const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+    let height = 1.0 - (2 * number + 1) as f64 / DIRECTIONS as f64;
+    let (sine, cosine) = libm::sincos(0.731 + GOLDEN_ANGLE * number as f64);
+    let radius = (1.0 - height * height).sqrt();
+    let spiral = DVec3::new(radius * cosine, radius * sine, height);
+
+    // Tilted: the spiral's middle lies in the plane z = 0.
+    let (sine, cosine) = libm::sincos(0.437);
+    let along = DVec3::new(spiral.x * cosine - spiral.z * sine, spiral.y, spiral.x * sine + spiral.z * cosine);
+    let (u, v) = along.any_orthonormal_pair();
+    DMat3::from_cols(u, v, along).transpose()
 }
 
 impl RayTree {
-    /// For the ray of a number; different numbers give different directions.
+    /// For the ray of a number below [`DIRECTIONS`].
     pub(super) fn new(Finder { mesh, bvh }: &Finder, number: usize) -> Self {
-        let frame = rotation(number);
+        let frame = frame_of(number);
         let packets: Vec<Boxes> = bvh
             .packets
             .par_iter()

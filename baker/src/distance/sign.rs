@@ -5,15 +5,15 @@ use super::bvh::is_within_reach;
 use super::bvh_nearest::{Finder, Nearest, Scratch};
 use super::holes::continued_triangles;
 use super::pseudonormal::Pseudonormals;
-use super::ray_tree::RayTree;
+use super::ray_tree::{DIRECTIONS, RayTree};
 use super::winding::WindingTree;
 use super::{BEYOND, SignMethod};
 use glam::DVec3;
 
 /// Longer rims are slower to sum up than the tree of dipoles is to walk.
 const LONGEST_RIM: usize = 192;
-/// Rays that vote. Odd, so that there is always a majority.
-const VOTERS: usize = 7;
+/// Rays that vote: an odd number, so that there is always a majority.
+const VOTERS: usize = DIRECTIONS;
 /// Fewer voices than this against the majority leave no doubt.
 const DISSENT: usize = 2;
 /// Winding numbers that decide nothing, by their size: holes span a quarter of all directions, or more.

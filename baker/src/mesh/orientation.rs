@@ -145,6 +145,14 @@ fn volume(positions: &[DVec3], triangles: impl Iterator<Item = [u32; 3]>) -> f64
     triangles.map(|triangle| six_volumes(triangle.map(|vertex| positions[vertex as usize]), origin)).sum::<f64>() / 6.0
 }
 
+/// Volume about its centre from which on an open surface has an inside, where the area is 1: a tenth of what a
+/// sphere has.
+const LEAST_VOLUME: f64 = 0.01;
+
+fn area(positions: &[DVec3], triangles: impl Iterator<Item = [u32; 3]>) -> f64 {
+    0.5 * triangles.map(|triangle| area_vector(triangle.map(|vertex| positions[vertex as usize])).length()).sum::<f64>()
+}
+
 /// Triangles connected by edges with exactly two of them.
 struct Patches {
     /// Patch of each triangle, by number.
@@ -227,8 +235,10 @@ impl Patches {
             .flat_map(|&patch| of_patch(patch, roles))
             .map(|triangle| six_volumes(triangle.map(|vertex| positions[vertex as usize]), centre))
             .sum();
+        let area = area(positions, open.iter().flat_map(|&patch| of_patch(patch, roles)));
         let mut is_wrong = vec![false; members.len()];
-        if total < 0.0 {
+        // A surface that encloses next to nothing has no inside to face away from.
+        if total / 6.0 < -LEAST_VOLUME * area * area.sqrt() {
             open.iter().for_each(|&patch| is_wrong[patch] = true);
         }
 
