@@ -45,10 +45,10 @@ fn choose_automatically(mesh: &CheckedMesh, finder: &Finder) -> SignDecision {
         let reason = reason.to_owned();
         SignDecision { method, reason, self_intersections }
     };
-    if mesh.orientation.count(Role::Wall) > 0 {
-        return decision(SignMethod::Winding, "for there are walls inside", None);
-    }
     if oriented.is_closed_and_oriented() {
+        if mesh.orientation.count(Role::Wall) > 0 {
+            return decision(SignMethod::Winding, "for there are walls inside", None);
+        }
         if mesh.triangles.len() > MOST_SEARCHED {
             return decision(SignMethod::Winding, "for so large a mesh is not searched for self-intersections", None);
         }
@@ -75,8 +75,8 @@ fn choose_automatically(mesh: &CheckedMesh, finder: &Finder) -> SignDecision {
 fn has_shells_in_shells(mesh: &CheckedMesh, finder: &Finder, rays: &RayTree) -> bool {
     /// Above the surface by so much, in the frame of the search: more than rounding, less than any gap that matters.
     const ABOVE: f64 = 1e-9;
-    mesh.first_triangles().into_iter().any(|triangle| {
-        let corners = mesh.seen_corners(triangle).map(|corner| finder.mesh.frame.to_local(corner));
+    mesh.pieces().into_iter().any(|piece| {
+        let corners = mesh.seen_corners(piece.first).map(|corner| finder.mesh.frame.to_local(corner));
         let centre = corners.iter().sum::<DVec3>() / 3.0;
         let above = centre + ABOVE * area_vector(corners).normalize_or_zero();
         rays.crossings(finder, above).signed != 0

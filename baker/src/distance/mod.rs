@@ -30,6 +30,7 @@ use glam::DVec3;
 use local_mesh::LocalMesh;
 use neighbours::nearest_of_each;
 use pseudonormal::Pseudonormals;
+use ray_tree::RayTree;
 use rayon::prelude::*;
 use sign::Signs;
 
@@ -119,6 +120,11 @@ impl SignedDistance {
         };
         let pseudonormals = Pseudonormals::new(&finder.mesh);
         Self { signs: Signs::new(&finder, method), pseudonormals, finder, half_thickness }
+    }
+
+    /// How many pairs of triangles cross, or touch where they are no neighbours.
+    pub fn count_self_intersections(&self) -> usize {
+        self_intersection::count(&self.finder, &RayTree::new(&self.finder, 0))
     }
 
     /// Samples points, best each near the one before.

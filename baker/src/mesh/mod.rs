@@ -3,6 +3,7 @@
 pub(crate) mod adjacency;
 mod disjoint_sets;
 mod orientation;
+mod pieces;
 #[cfg(test)]
 mod tests;
 mod topology;
@@ -10,6 +11,7 @@ mod weld;
 
 pub(crate) use disjoint_sets::DisjointSets;
 pub use orientation::{Orientation, Role};
+pub use pieces::Piece;
 pub use topology::Topology;
 
 use crate::geometry::Aabb;
@@ -92,21 +94,6 @@ impl CheckedMesh {
     /// The triangles without copies, wound as they are to be seen, each with its number.
     pub fn seen_triangles(&self) -> impl Iterator<Item = (u32, [u32; 3])> {
         seen(&self.triangles, &self.orientation)
-    }
-
-    /// The first triangle of each piece that shared vertices connect.
-    pub fn first_triangles(&self) -> Vec<usize> {
-        let mut pieces = DisjointSets::new(self.positions.len());
-        for &[a, b, c] in &self.triangles {
-            pieces.join(a, b);
-            pieces.join(b, c);
-        }
-        let mut is_seen = vec![false; self.positions.len()];
-        let is_first = |&triangle: &usize| {
-            let root = pieces.root(self.triangles[triangle][0]) as usize;
-            !std::mem::replace(&mut is_seen[root], true)
-        };
-        (0..self.triangles.len()).filter(is_first).collect()
     }
 
     /// Positions of the corners of a triangle, in the order in which they are to be seen.
