@@ -20,6 +20,23 @@ pub(super) fn read_mesh(path: &Path, options: &ReadOptions) -> Result<CheckedMes
     CheckedMesh::new(soup).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 
+/// Refuses a mesh that a field was not baked from.
+pub(super) fn refuse_other_mesh(
+    field_path: &Path,
+    field: &Field<'_>,
+    mesh_path: &Path,
+    mesh: &CheckedMesh,
+) -> Result<(), Failure> {
+    if mesh.hash() == field.header().mesh_hash {
+        return Ok(());
+    }
+    Err(Failure::Verification(format!(
+        "{} was not baked from {}: the hash of the mesh differs; name the right mesh or bake again",
+        field_path.display(),
+        mesh_path.display()
+    )))
+}
+
 /// The bytes of a file.
 pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     fs::read(path).map_err(|error| Failure::Input(format!("{} cannot be read: {error}", path.display())))

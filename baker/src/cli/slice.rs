@@ -91,6 +91,7 @@ impl SliceCommand {
     fn truth(&self, field: &Field<'_>) -> Result<Option<SignedDistance>, Failure> {
         let Some(path) = &self.mesh else { return Ok(None) };
         let mesh = files::read_mesh(path, &self.reading.read_options()?)?;
+        files::refuse_other_mesh(&self.field, field, path, &mesh)?;
         Ok(Some(SignedDistance::new(&mesh, method_of(field.header().sign_method, 0.0))))
     }
 }

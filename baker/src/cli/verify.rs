@@ -78,7 +78,7 @@ impl Verify {
         let options = self.reading.read_options()?;
         let (measurement, contradiction) = self.threads.run(|| {
             let mesh = files::read_mesh(&self.mesh, &options)?;
-            self.refuse_other_mesh(&field, &mesh)?;
+            files::refuse_other_mesh(&self.field, &field, &self.mesh, &mesh)?;
             self.measure(&field, &mesh)
         })?;
 
@@ -105,17 +105,6 @@ impl Verify {
                 self.mesh.display()
             ))),
         }
-    }
-
-    fn refuse_other_mesh(&self, field: &Field<'_>, mesh: &CheckedMesh) -> Result<(), Failure> {
-        if mesh.hash() == field.header().mesh_hash {
-            return Ok(());
-        }
-        Err(Failure::Verification(format!(
-            "{} was not baked from {}: the hash of the mesh differs; name the right mesh or bake again",
-            self.field.display(),
-            self.mesh.display()
-        )))
     }
 
     fn measure(&self, field: &Field<'_>, mesh: &CheckedMesh) -> Result<(Measurement, Option<Contradiction>), Failure> {
