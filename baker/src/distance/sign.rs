@@ -10,8 +10,8 @@ use super::winding::WindingTree;
 use super::{BEYOND, SignMethod};
 use glam::DVec3;
 
-/// Longer rims are slower to sum up than the tree of dipoles is to walk.
-const LONGEST_RIM: usize = 192;
+/// Rims that are more work are slower to sum up than the tree of dipoles is to walk.
+const MOST_WORK: usize = 256;
 /// Rays that vote: an odd number, so that there is always a majority.
 const VOTERS: usize = DIRECTIONS;
 /// Fewer voices than this against the majority leave no doubt.
@@ -72,7 +72,7 @@ impl Signs {
                     return Self::Closed(RayTree::new(finder, 0));
                 }
                 let continued = continued_triangles(&finder.mesh, &rim);
-                let winding = if rim.edges.len() <= LONGEST_RIM {
+                let winding = if rim.work() <= MOST_WORK {
                     Winding::Exact { rays: RayTree::new(finder, 0), rim }
                 } else {
                     Winding::Dipoles(WindingTree::new(finder))
