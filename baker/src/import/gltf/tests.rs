@@ -102,7 +102,7 @@ fn buffers_lie_beside_the_text_or_inside() {
         fs::write(&path, scene.to_string()).unwrap();
         assert_eq!(corners(&read(&path).unwrap()), TRIANGLE);
     }
-    assert_eq!(inputs(&path).unwrap(), [path.clone()]);
+    assert_eq!(inputs(&path).unwrap(), std::slice::from_ref(&path));
 
     for place in ["https://example.org/a.bin", "/dev/zero", "C:\\a.bin", "", "data:;base64,%%%%", "."] {
         scene["buffers"][0]["uri"] = place.into();
