@@ -81,6 +81,10 @@ fn read_parts(path: &Path, options: &ReadOptions) -> Result<TriangleSoup, Proble
 pub fn inputs(path: impl AsRef<Path>) -> Result<Vec<PathBuf>, ImportError> {
     let path = path.as_ref();
     let buffers = || {
+        // A pipe can be read once, and that is for the mesh.
+        if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+            return Ok(Vec::new());
+        }
         let bytes = fs::read(path).map_err(Problem::Unreadable)?;
         match Format::detect(path, &bytes) {
             Some(Format::Gltf) => gltf::external_buffers(&bytes, &folder_of(path)),
