@@ -1,8 +1,8 @@
 """Times one call for many points beside the Rust batch, and beside other libraries that are installed.
 
-    python runtime/python/measure.py MESH.ply FIELD.nfd NEARFIELD [POINTS]
+    python runtime/python/measure.py MESH.ply FIELD.nfd [POINTS]
 
-NEARFIELD is the path of the command `nearfield`, built with --release. Points are uniform in the box of the mesh.
+Points are uniform in the box of the mesh. Times are processor time, unless they say otherwise.
 """
 
 import json
@@ -34,23 +34,24 @@ def read_ply(path):
     return vertices, faces["corners"].copy()
 
 
-def seconds(work, repeats=5):
+def seconds(work, clock=time.process_time, repeats=5):
     """The least time of several, after one that warms up."""
     work()
     times = []
     for _ in range(repeats):
-        start = time.perf_counter()
+        start = clock()
         work()
-        times.append(time.perf_counter() - start)
+        times.append(clock() - start)
     return min(times)
 
 
-def rust_nanoseconds(command, field, points):
+def rust_nanoseconds(field, points):
+    manifest = Path(__file__).with_name("Cargo.toml")
     with tempfile.NamedTemporaryFile(suffix=".f32") as file:
         points.tofile(file.name)
-        report = subprocess.run([command, "bench", field, "--points", file.name, "--json"], capture_output=True, check=True)
-    (given,) = json.loads(report.stdout)["sets"]
-    return given["distances"], given["distances_and_gradients"]
+        command = ["cargo", "run", "--release", "--locked", "--manifest-path", manifest, "--example", "rust_batch"]
+        report = subprocess.run([*command, "--", field, file.name], stdout=subprocess.PIPE, check=True)
+    return json.loads(report.stdout)
 
 
 def others(vertices, faces):
@@ -59,8 +60,7 @@ def others(vertices, faces):
         import pysdf
 
         mesh = pysdf.SDF(vertices, faces)
-        mesh.num_threads = 1
-        yield "pysdf", lambda points: -mesh(points)
+        yield "pysdf", lambda points: -mesh(points, n_threads=1)
     except ImportError:
         print("pysdf is not installed")
 
@@ -101,31 +101,32 @@ def warp_distance(warp, vertices, faces):
 
 
 def main():
-    mesh_path, field_path, command, *rest = sys.argv[1:]
+    mesh_path, field_path, *rest = sys.argv[1:]
     count = int(rest[0]) if rest else 10_000_000
     vertices, faces = read_ply(mesh_path)
     generator = np.random.default_rng(1)
     points = generator.uniform(vertices.min(axis=0), vertices.max(axis=0), (count, 3)).astype(np.float32)
     field = nearfield.open(field_path)
 
-    rust = rust_nanoseconds(command, field_path, points)
+    rust = rust_nanoseconds(field_path, points)
     calls = {
-        "distance": lambda: field.distance(points, threads=1),
-        "distance_and_gradient": lambda: field.distance_and_gradient(points, threads=1),
+        "distances": lambda: field.distance(points, threads=1),
+        "distances_and_gradients": lambda: field.distance_and_gradient(points, threads=1),
     }
-    for (name, call), alone in zip(calls.items(), rust, strict=True):
-        here = seconds(call) / count * 1e9
-        print(f"{name}: {here:.1f} ns a point, Rust batch {alone:.1f}, ratio {here / alone:.2f}")
+    for name, call in calls.items():
+        here, alone = seconds(call) / count * 1e9, rust[name]
+        print(f"{count} {name}: {here:.1f} ns a point, Rust batch {alone:.1f}, ratio {here / alone:.2f}")
     wide = points.astype(np.float64)
     print(f"distance of float64: {seconds(lambda: field.distance(wide, threads=1)) / count * 1e9:.1f} ns a point")
-    print(f"distance, all threads: {seconds(lambda: field.distance(points)) / count * 1e9:.1f} ns a point")
+    elapsed = seconds(lambda: field.distance(points), time.perf_counter)
+    print(f"distance, all threads: {elapsed / count * 1e9:.1f} ns a point of elapsed time")
 
     few = points[: min(count, 1_000_000)]
     ours = field.distance(few, threads=1)
     mine = seconds(lambda: field.distance(few, threads=1)) / len(few) * 1e9
     print(f"on {len(few)} points, one thread: Nearfield {mine:.0f} ns a point")
     for name, ask in others(vertices, faces):
-        theirs = seconds(lambda ask=ask: ask(few), repeats=1) / len(few) * 1e9
+        theirs = seconds(lambda ask=ask: ask(few), repeats=2) / len(few) * 1e9
         differences = np.abs(ask(few) - ours)
         print(
             f"{name}: {theirs:.0f} ns a point, {theirs / mine:.0f} times ours; differs from ours by at most"

@@ -1,9 +1,9 @@
 """Signed distance fields that ship: bake a mesh into a small file, ask it for distance and gradient.
 
 Points are arrays of shape (..., 3) in the units and the frame of the mesh. Arrays of ``float32`` or ``float64`` in
-row-major order are read where they lie; other arrays and sequences are copied first. The reader computes in ``float32``,
-and so are all answers. Calls release the interpreter's lock: do not write to an array while another thread is asking
-about it. ``threads`` is how many threads share the points, all processors by default.
+row-major order are read where they lie; other arrays and sequences are copied first. The reader computes in
+``float32``, and so are all answers. Calls release the interpreter's lock: do not write to an array while another
+thread is asking about it. ``threads`` is how many threads share the points, all processors by default.
 """
 
 from collections.abc import Sequence
@@ -56,9 +56,9 @@ def bake(
 ) -> Field:
     """Bakes a triangle mesh into a field: the same mesh and settings give the same bytes on any machine.
 
-    The settings are those of ``nearfield bake``, with its defaults: ``error`` is the root mean square error asked of every
-    leaf, a fraction of the diagonal of the mesh's box, and ``error_abs`` the same in mesh units. It runs to its end: an
-    interrupt is noticed afterwards.
+    The settings are those of ``nearfield bake``, with its defaults: ``error`` is the root mean square error asked of
+    every leaf, a fraction of the diagonal of the mesh's box, and ``error_abs`` the same in mesh units. It runs to its
+    end: an interrupt is noticed afterwards.
 
     Raises ValueError for a mesh or settings that give no field, TypeError for faces that are not integers.
     """
@@ -106,8 +106,8 @@ class Field:
     ) -> Raycast:
         """Follows rays to the surface by sphere tracing, inside the box of the field, at most 512 steps each.
 
-        ``directions`` need no unit length; ``length`` and ``within`` are mesh units. A ray stops where the field is at most
-        ``within``: with ``contract.max_error`` before the true surface, with 0 on the field's.
+        ``directions`` need no unit length; ``length`` and ``within`` are mesh units. A ray stops where the field is at
+        most ``within``: with ``contract.max_error`` before the true surface, with 0 on the field's.
         """
 
     def tobytes(self) -> bytes:

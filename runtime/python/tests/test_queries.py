@@ -82,7 +82,9 @@ def test_odd_coordinates_have_documented_answers(field):
 
 def test_clearance_is_the_distance_less_the_error(field, points):
     inside = points[np.abs(points).max(axis=1) < 1].astype(np.float32)
-    np.testing.assert_array_equal(field.clearance(inside), field.distance(inside) - np.float32(field.contract.max_error))
+    np.testing.assert_array_equal(
+        field.clearance(inside), field.distance(inside) - np.float32(field.contract.max_error)
+    )
 
 
 def test_closest_points_are_on_the_surface(field, points):
