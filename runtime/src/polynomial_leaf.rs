@@ -77,9 +77,9 @@ pub(crate) struct Polynomials {
 }
 
 impl Polynomials {
-    /// Value, mesh units, and derivatives by the local coordinates, -1 to 1 within the leaf.
+    /// Value, mesh units, and gradient at local coordinates, -1 to 1 within the leaf, of which `per_half` are a mesh unit.
     #[inline]
-    pub(crate) fn evaluate(&self, local: &Lanes) -> (f32, [f32; 3]) {
+    pub(crate) fn evaluate(&self, local: &Lanes, per_half: f32) -> (f32, [f32; 3]) {
         let mut basis = Basis::default();
         basis.fill(local);
         let (mut value, mut slope) = self.first.evaluate(self.degrees[0], &basis);
@@ -90,7 +90,8 @@ impl Polynomials {
                 (value, slope) = (other, other_slope);
             }
         }
-        (value * self.step, slope.map(|part| part * self.step))
+        let per_unit = self.step * per_half;
+        (value * self.step, slope.map(|part| part * per_unit))
     }
 }
 
