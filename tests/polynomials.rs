@@ -47,12 +47,17 @@ fn the_reader_is_the_sum_over_all_leaves() {
         let field = Field::open(&bytes).expect("a field");
         field.validate().expect("a valid field");
 
+        let extent = f64::from(u32::from(ROOTS) << octree.depth);
         let (mut blended, mut most) = (0, 0);
         for position in positions(&octree) {
             let (point, exact) = point(&octree, position);
             let (value, gradient) = field.distance_and_gradient(point);
             assert_eq!(field.distance(point).to_bits(), value.to_bits());
             let (expected, slope, count) = fit.naive(&octree, exact);
+            let polynomials = field.polynomial_octree().expect("polynomials");
+            let (alone, _) = polynomials.unblended(point).expect("a point of the box");
+            let alone_expected = fit.alone(&octree, exact.min(DVec3::splat(extent - 1e-6)));
+            assert!((f64::from(alone) - alone_expected).abs() < 2e-6, "{alone} is not {alone_expected} at {position}");
             if overlap == 0.0 && count > 1 {
                 continue;
             }

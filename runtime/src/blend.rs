@@ -207,9 +207,9 @@ impl PolynomialOctree<'_> {
         if weight.value > 0.0 {
             let mut polynomials = Polynomials::default();
             bits.decode(self, &mut polynomials);
-            let (value, slope) = polynomials.evaluate(&local);
             let per_half = self.lattice.per_half(other.shift);
-            sums.add(weight, per_half, value - sums.own, slope.map(|part| part * per_half));
+            let (value, gradient) = polynomials.evaluate(&local, per_half);
+            sums.add(weight, per_half, value - sums.own, gradient);
         }
         Neighbour::Alone
     }

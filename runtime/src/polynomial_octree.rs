@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::header::Aabb;
 use crate::lattice::{Lattice, Leaf, Position, padded};
 use crate::layout::{continuity, leaf, limit, octree, polynomial as at, record, root_word, section, shape};
+use crate::legendre::Lanes;
 use crate::octree::Continuity;
 use crate::polynomial_leaf::{Bits, OverlapCodes, Polynomials};
 use crate::section as sections;
@@ -250,9 +251,21 @@ impl<'a> PolynomialOctree<'a> {
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let mut polynomials = Polynomials::default();
         Bits::at(self, leaf.place).decode(self, &mut polynomials);
-        let (value, slope) = polynomials.evaluate(&padded(local.map(|part| 2.0 * part - 1.0)));
-        let per_half = 2.0 / self.edge(leaf.level);
-        (value, slope.map(|part| part * per_half))
+        let per_half = self.lattice.per_half(leaf.edge.trailing_zeros());
+        polynomials.evaluate(&padded(local.map(|part| 2.0 * part - 1.0)), per_half)
+    }
+
+    /// What the leaf that holds a point of the box answers alone, distance and gradient: faster than
+    /// [`Field::distance_and_gradient`](crate::Field::distance_and_gradient), which blends leaves where they overlap, and with
+    /// jumps on their faces. `None` outside the box.
+    pub fn unblended(&self, point: [f32; 3]) -> Option<(f32, [f32; 3])> {
+        if !self.lattice.contains(point) {
+            return None;
+        }
+        let mut visit = Visit::default();
+        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
+        self.enter(&mut visit);
+        Some(self.answer_alone(&visit).1)
     }
 
     /// Value and gradient at a point of the box.
@@ -295,16 +308,20 @@ impl<'a> PolynomialOctree<'a> {
 
     /// Value and gradient at the place of a visit.
     #[inline]
-    fn answer(&self, Visit { place, codes, polynomials, .. }: &Visit) -> (f32, [f32; 3]) {
-        let mut local = [0.0; 4];
-        blend::local(&place.cell, place.shift, &place.position, &mut local);
-        let (value, slope) = polynomials.evaluate(&local);
-        let per_half = self.lattice.per_half(place.shift);
-        let alone = (value, slope.map(|part| part * per_half));
-        let within = self.alone_within(codes.reach);
+    fn answer(&self, visit: &Visit) -> (f32, [f32; 3]) {
+        let (local, alone) = self.answer_alone(visit);
+        let within = self.alone_within(visit.codes.reach);
         let [x, y, z, _] = local;
         let is_near = (x.abs() > within) | (y.abs() > within) | (z.abs() > within);
-        if is_near { self.blend(place, *codes, &local, alone) } else { alone }
+        if is_near { self.blend(&visit.place, visit.codes, &local, alone) } else { alone }
+    }
+
+    /// Local coordinates at the place of a visit, and value and gradient of its leaf.
+    #[inline]
+    fn answer_alone(&self, Visit { place, polynomials, .. }: &Visit) -> (Lanes, (f32, [f32; 3])) {
+        let mut local = [0.0; 4];
+        blend::local(&place.cell, place.shift, &place.position, &mut local);
+        (local, polynomials.evaluate(&local, self.lattice.per_half(place.shift)))
     }
 
     /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.

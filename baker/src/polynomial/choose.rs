@@ -57,17 +57,15 @@ pub(super) fn cheapest(
 
 /// The leaf whose error is least, for a cell that cannot be split.
 pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], tolerance: Tolerance) -> Coded {
-    let fits = cell::fits(stencil, samples);
-    let mut order: Vec<&Fit> = fits.iter().collect();
-    order.sort_by(|a, b| a.errors.mean_square.total_cmp(&b.errors.mean_square));
-    let coded = order.iter().find_map(|fit| {
+    let coded = cell::fits(stencil, samples).into_iter().filter_map(|fit| {
+        // As fine as is worth it, or as it must be to fit.
         let noise = 0.25 * (fit.errors.mean_square + tolerance.rmse * tolerance.rmse);
         let finest = steps.coarsest(&fit.piece, noise).unwrap_or(0);
-        // Little coarser than it should be; a constant as coarse as it must.
-        let coarsest = if fit.piece.terms() == 1 { MAX_EXPONENT } else { (finest + 2).min(MAX_EXPONENT) };
-        (finest..=coarsest)
+        (finest..=MAX_EXPONENT)
             .find_map(|exponent| steps.code(&fit.piece, exponent).filter(|coded| coded.bits(&coded.widths) <= MAX_BITS))
     });
+    let error = |coded: &Coded| cell::errors(stencil, &steps.decode(coded), samples).mean_square;
+    let coded = coded.min_by(|a, b| error(a).total_cmp(&error(b)));
     coded.expect("a constant can always be coded")
 }
 

@@ -23,6 +23,9 @@ pub const BAND: f64 = 0.01;
 /// Seed of the points behind the contract in a file's header.
 pub const CONTRACT_SEED: u64 = 0;
 
+/// Doubtful places that a measurement lists.
+const PLACES: usize = 64;
+
 /// What was measured. Lengths in mesh units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
@@ -39,6 +42,8 @@ pub struct Measurement {
     pub steepest: f64,
     /// Points, of both sets, whose true sign is a guess.
     pub doubtful_signs: usize,
+    /// The first of these, mesh frame.
+    pub doubtful_places: Vec<[f32; 3]>,
 }
 
 /// Measures a field against the truth at random points that depend on the mesh, `samples` and `seed`
@@ -86,7 +91,7 @@ fn measure_at(
     let found = answers(field, &points);
     let uniform = ErrorDistribution::of(&found, &exact);
     let mut steepest = steepest_of(&found);
-    let mut doubtful_signs = count_doubtful(truth, &points);
+    let mut doubtful = find_doubtful(truth, &points);
 
     // In the band.
     let mut points = near;
@@ -96,13 +101,15 @@ fn measure_at(
     let found = answers(field, &points);
     let band = ErrorDistribution::of(&found, &exact);
     steepest = steepest.max(steepest_of(&found));
-    doubtful_signs += count_doubtful(truth, &points);
+    doubtful.extend(find_doubtful(truth, &points));
 
     // Across the faces.
     let seams = seams::measure(field, seed);
     steepest = steepest.max(seams.steepest);
 
-    Measurement { uniform, band, seams, samples, steepest, doubtful_signs }
+    let doubtful_signs = doubtful.len();
+    doubtful.truncate(PLACES);
+    Measurement { uniform, band, seams, samples, steepest, doubtful_signs, doubtful_places: doubtful }
 }
 
 impl Measurement {
@@ -137,8 +144,8 @@ fn steepest_of(answers: &[(f32, [f32; 3])]) -> f64 {
     answers.par_iter().map(|(_, gradient)| points::to_dvec3(*gradient).length()).reduce(|| 0.0, f64::max)
 }
 
-fn count_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> usize {
-    points.par_iter().filter(|&&point| truth.sign_is_doubtful(points::to_dvec3(point))).count()
+fn find_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    points.par_iter().copied().filter(|&point| truth.sign_is_doubtful(points::to_dvec3(point))).collect()
 }
 
 fn field_box(field: &Field<'_>) -> Aabb {

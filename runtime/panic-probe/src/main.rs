@@ -59,6 +59,7 @@ fn query(field: Field<'_>, point: [f32; 3]) {
         }
     }
     if let Some(octree) = field.polynomial_octree() {
+        black_box(octree.unblended(point));
         for leaf in octree.leaves() {
             black_box(octree.evaluate(&leaf, point));
         }

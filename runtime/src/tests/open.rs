@@ -41,7 +41,7 @@ fn header_rules() {
     assert_eq!(set(header::FILE_LENGTH.start, 1), Some(Error::FileLength));
     assert_eq!(set(header::RESERVED, 1), Some(Error::Reserved));
     assert_eq!(set(header::FAMILY, 4), Some(Error::Family));
-    assert_eq!(set(header::SIGN_METHOD, 3), Some(Error::SignMethod));
+    assert_eq!(set(header::SIGN_METHOD, 5), Some(Error::SignMethod));
     assert_eq!(set(header::UNUSED.start, 255), None, "unused bits are ignored");
 
     for value in [f32::NAN, f32::INFINITY, 1e19, -1e19] {
