@@ -38,6 +38,10 @@ def points_around(vertices, triangles):
     return {"uniform": random.uniform(low, high, (POINTS, 3)), "band": on_surface + away * direction}
 
 
+def address_of(array):
+    return array.ctypes.data_as(ctypes.c_void_p)
+
+
 class Shape:
     """A geom of a compiled model, with what its making took."""
 
@@ -63,10 +67,9 @@ class Shape:
         mujoco.mju_quat2Mat(frame, self.model.mesh_quat[0])
         points = np.ascontiguousarray((points - self.model.mesh_pos[0]) @ frame.reshape(3, 3))
         answers = np.empty(points.shape if what == "gradients" else len(points))
-        address = lambda array: array.ctypes.data_as(ctypes.c_void_p)
         model, data = ctypes.c_void_p(self.model._address), ctypes.c_void_p(self.data._address)
         start = time.thread_time()
-        getattr(asking, f"measure_{what}")(model, data, 1, address(points), len(points), address(answers))
+        getattr(asking, f"measure_{what}")(model, data, 1, address_of(points), len(points), address_of(answers))
         return answers, time.thread_time() - start
 
     def errors(self, points, exact, diagonal):
@@ -111,7 +114,9 @@ def main(mesh):
     points = points_around(vertices, triangles)
     sign = igl.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
     exact = {kind: igl.signed_distance(chosen, vertices, triangles, sign_type=sign)[0] for kind, chosen in points.items()}
-    errors_of = lambda shape: {kind: shape.errors(points[kind], exact[kind], diagonal) for kind in points}
+
+    def errors_of(shape):
+        return {kind: shape.errors(points[kind], exact[kind], diagonal) for kind in points}
 
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)

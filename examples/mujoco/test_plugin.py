@@ -1,6 +1,5 @@
 """Baked fields in MuJoCo itself: fall, rest, touch, screw, and what happens to files that are no fields."""
 
-import ctypes
 import pathlib
 import threading
 
