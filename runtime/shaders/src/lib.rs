@@ -39,7 +39,8 @@ pub fn reader(bytes: Bytes) -> String {
         Bytes::Buffer => include_str!("../wgsl/words_buffer.wgsl"),
         Bytes::Texture => include_str!("../wgsl/words_texture.wgsl"),
     };
-    let mut text = String::from("// Made from the parts in `runtime/shaders/wgsl` by `cargo run` there. Do not edit.\n\n");
+    let mut text =
+        String::from("// Made from the parts in `runtime/shaders/wgsl` by `cargo run` there. Do not edit.\n\n");
     for part in [accessor].into_iter().chain(PARTS) {
         text.push_str(part);
         text.push('\n');
@@ -77,7 +78,7 @@ pub fn generate() -> Result<Vec<Generated>, Box<dyn Error>> {
     let file = |name: &str, contents: Vec<u8>| Generated { path: package.join("generated").join(name), contents };
     // The viewer is part of the baker, which must find its shaders in its own folder.
     let viewer = |name: &str, contents: Vec<u8>| {
-        let path = package.join("../../baker/src/view/generated").join(name);
+        let path = package.join("../../baker/src/picture/viewer/generated").join(name);
         Generated { path, contents }
     };
     let query = Shader::new(&query())?;

@@ -82,8 +82,7 @@ impl Shader {
             binding_map: bindings.map(slot).collect::<Result<_, _>>()?,
             ..Default::default()
         };
-        let pipeline =
-            glsl::PipelineOptions { shader_stage, entry_point: entry_point.to_owned(), multiview: None };
+        let pipeline = glsl::PipelineOptions { shader_stage, entry_point: entry_point.to_owned(), multiview: None };
         let mut text = String::new();
         let policies = naga::proc::BoundsCheckPolicies::default();
         glsl::Writer::new(&mut text, &self.module, &self.info, &options, &pipeline, policies)?.write()?;
