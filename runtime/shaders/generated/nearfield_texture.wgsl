@@ -150,7 +150,7 @@ fn nearfield_evaluate(field: Field, point: vec3<f32>) -> Answer {
     var answer = answer_inside(field, nearest);
     if any(nearest != point) {
         let away = length_and_direction(point - nearest);
-        answer.distance = min(answer.distance + away.distance, MAX_FLOAT);
+        answer.distance = finite(answer.distance + away.distance);
         answer.gradient = away.gradient;
     }
     return answer;
@@ -158,12 +158,7 @@ fn nearfield_evaluate(field: Field, point: vec3<f32>) -> Answer {
 
 // The answer at a point of the box.
 fn answer_inside(field: Field, point: vec3<f32>) -> Answer {
-    let position = min((point - field.low) * field.cells_per_unit, vec3<f32>(field.cells));
-    switch field.family {
-        case FAMILY_GRID: { return evaluate_grid(field, position); }
-        case FAMILY_OCTREE: { return evaluate_octree(field, position); }
-        default: { return evaluate_polynomial_octree(field, position); }
-    }
+    return answer_at(field, min((point - field.low) * field.cells_per_unit, vec3<f32>(field.cells)));
 }
 
 // The answer at a point with a coordinate that is infinite or not a number. Told apart by their bits: compilers of
@@ -179,184 +174,13 @@ fn answer_without_end(bits: vec3<u32>, point: vec3<f32>) -> Answer {
     return Answer(bitcast<f32>(max(max(bits.x, bits.y), bits.z)), length_and_direction(toward).gradient);
 }
 
-// Octrees of interpolants (SPEC.md §5 to §7, §9).
-
-// A sample block: its header, and the word after it.
-struct Block {
-    // Which lattice samples are there, and which of them are full.
-    present: u32,
-    full: u32,
-    sample_precision: u32,
-    base: i32,
-    first: u32,
-    // Units of the samples of the leaf: of distances, and of derivatives by local coordinates.
-    quantum: f32,
-    edge: f32,
-}
-
-fn evaluate_octree(field: Field, position: vec3<f32>) -> Answer {
-    // Down the tree.
-    let cell = min(vec3<u32>(position), field.cells - 1u);
-    let root = cell >> vec3(field.depth);
-    var node = word(field.nodes + root.x + field.counts.x * (root.y + field.counts.y * root.z));
-    var shift = field.depth;
-    var octant = 0u;
-    while node >> NODE_OFFSET_BITS == NODE_INNER && shift > 0u {
-        shift -= 1u;
-        octant = octant_of(cell, shift);
-        node = word(field.nodes + (node & NODE_OFFSET_MASK) + octant);
+// The answer at a position in the box, in finest cells from its least corner.
+fn answer_at(field: Field, position: vec3<f32>) -> Answer {
+    switch field.family {
+        case FAMILY_GRID: { return evaluate_grid(field, position); }
+        case FAMILY_OCTREE: { return evaluate_octree(field, position); }
+        default: { return evaluate_polynomial_octree(field, position); }
     }
-    let local = (position - vec3<f32>((cell >> vec3(shift)) << vec3(shift))) * power_of_half(shift);
-    let level = field.depth - shift;
-
-    let start = field.samples + (node & NODE_OFFSET_MASK);
-    var block: Block;
-    block.present = word(start) & LATTICE_MASK;
-    block.sample_precision = (word(start) >> PRECISION_SHIFT) & 3u;
-    block.full = word(start + 1u) & LATTICE_MASK;
-    block.base = bitcast<i32>(word(start + 2u));
-    block.first = start + 3u;
-    block.quantum = field.quantum * power_of_half(level);
-    block.edge = field.spacing.x * power_of_half(level);
-
-    var jets = read_corners(field.reconstruction, block, octant);
-    var answer: Answer;
-    if field.reconstruction == INTERPOLANT_TRICUBIC {
-        answer = tricubic(&jets, local);
-    } else {
-        answer = trilinear(jets, local);
-    }
-    answer.gradient *= 1.0 / block.edge;
-    return answer;
-}
-
-// Number of the child that holds a finest cell, of a node whose children have edges of 2 to the power of `shift`.
-fn octant_of(cell: vec3<u32>, shift: u32) -> u32 {
-    let half = (cell >> vec3(shift)) & vec3(1u);
-    return half.x | (half.y << 1u) | (half.z << 2u);
-}
-
-fn trilinear(jets: Jets, local: vec3<f32>) -> Answer {
-    var corners: Corners;
-    for (var corner = 0; corner < 8; corner++) {
-        corners.at[corner] = jets.corners[corner].plain;
-    }
-    let x = vec2(1.0 - local.x, local.x);
-    let y = vec2(1.0 - local.y, local.y);
-    let z = vec2(1.0 - local.z, local.z);
-    let slope = vec2(-1.0, 1.0);
-    let by_x = weighted_sum(corners, slope, y, z).x;
-    let by_y = weighted_sum(corners, x, slope, z).x;
-    let by_z = weighted_sum(corners, x, y, slope).x;
-    return Answer(weighted_sum(corners, x, y, z).x, vec3(by_x, by_y, by_z));
-}
-
-// The jets at the corners of a leaf; of a trilinear one only the distances.
-fn read_corners(interpolant: u32, block: Block, octant: u32) -> Jets {
-    var jets: Jets;
-    var implied = 0u;
-    for (var corner = 0u; corner < 8u; corner++) {
-        let along = vec3(corner >> 2u, (corner >> 1u) & 1u, corner & 1u);
-        let at = along + vec3(octant & 1u, (octant >> 1u) & 1u, octant >> 2u);
-        var source = 1u << (at.x + 3u * at.y + 9u * at.z);
-        if (block.present & source) == 0u {
-            // Implied: the parent's corner on the same side is where to start from.
-            implied |= 1u << corner;
-            source = 1u << (2u * along.x + 6u * along.y + 18u * along.z);
-        }
-        if interpolant == INTERPOLANT_TRICUBIC {
-            jets.corners[corner] = read_jet(block, source);
-        } else {
-            jets.corners[corner] = Jet(vec4(read_distance(block, source), 0.0, 0.0, 0.0), vec4(0.0));
-        }
-    }
-    if implied != 0u {
-        settle(&jets, implied, octant, 0u);
-        settle(&jets, implied, octant, 1u);
-        settle(&jets, implied, octant, 2u);
-    }
-    return jets;
-}
-
-// The tricubic sample of a lattice bit.
-fn read_jet(block: Block, source: u32) -> Jet {
-    let before = source - 1u;
-    let rank = count_bits(block.present & before);
-    let full_rank = count_bits(block.full & before);
-    let is_full = (block.full & source) != 0u;
-    var distance: f32;
-    var gradient: vec3<f32>;
-    // xy, xz, yz, xyz.
-    var mixed = vec4(0.0);
-    if block.sample_precision == PRECISION_F32 {
-        let place = block.first + 4u * (rank + full_rank);
-        distance = sample_float(place);
-        gradient = vec3(sample_float(place + 1u), sample_float(place + 2u), sample_float(place + 3u));
-        if is_full {
-            mixed = vec4(
-                sample_float(place + 4u), sample_float(place + 5u), sample_float(place + 6u), sample_float(place + 7u)
-            );
-        }
-    } else if block.sample_precision == PRECISION_PACKED32 && !is_full {
-        let code = word(block.first + rank + 3u * full_rank);
-        distance = decode_distance(block.base, code >> DISTANCE_SHIFT, block.quantum);
-        gradient = decode_gradient(code);
-    } else {
-        let stride = select(1u, 2u, block.sample_precision == PRECISION_F16);
-        let place = block.first + rank * stride + full_rank * (4u - stride);
-        let first = word(place);
-        let last = decode_halves(word(place + 1u));
-        distance = decode_distance(16 * block.base, first & 0xFFFFu, block.quantum * 0.0625);
-        gradient = vec3(decode_half(first >> 16u), last.x, last.y);
-        if is_full {
-            mixed = vec4(decode_halves(word(place + 2u)), decode_halves(word(place + 3u)));
-        }
-    }
-    gradient *= block.edge;
-    mixed *= block.edge;
-    return Jet(vec4(distance, gradient.z, gradient.y, mixed.z), vec4(gradient.x, mixed.y, mixed.x, mixed.w));
-}
-
-// The trilinear sample of a lattice bit.
-fn read_distance(block: Block, source: u32) -> f32 {
-    let rank = count_bits(block.present & (source - 1u));
-    if block.sample_precision == PRECISION_F32 {
-        return sample_float(block.first + rank);
-    }
-    let code = (word(block.first + rank / 2u) >> (16u * (rank & 1u))) & 0xFFFFu;
-    return decode_distance(16 * block.base, code, block.quantum * 0.0625);
-}
-
-// Moves the implied corners away from the parent's own along an axis to the middle of the parent's edge (§7.3).
-fn settle(jets: ptr<function, Jets>, implied: u32, octant: u32, axis: u32) {
-    let bit = 4u >> axis;
-    let end = select(bit, 0u, ((octant >> axis) & 1u) == 1u);
-    for (var corner = 0u; corner < 8u; corner++) {
-        if (corner & bit) == end && ((implied >> corner) & 1u) == 1u {
-            let near = (*jets).corners[corner & ~bit];
-            let far = (*jets).corners[corner | bit];
-            (*jets).corners[corner] = middle(near, far, axis);
-        }
-    }
-}
-
-// The jet in the middle of a cubic that spans two leaves, from those at its ends.
-fn middle(near: Jet, far: Jet, axis: u32) -> Jet {
-    let sum = Jet(near.plain + far.plain, near.by_x + far.by_x);
-    let change = Jet(near.plain - far.plain, near.by_x - far.by_x);
-    if axis == 0u {
-        return Jet(0.5 * sum.plain + 0.25 * change.by_x, -0.25 * sum.by_x + -0.75 * change.plain);
-    }
-    if axis == 1u {
-        let by_sum = vec4(0.5, 0.5, -0.25, -0.25);
-        let by_change = vec4(0.25, 0.25, -0.75, -0.75);
-        return Jet(
-            by_sum * sum.plain + by_change * change.plain.zwxy, by_sum * sum.by_x + by_change * change.by_x.zwxy
-        );
-    }
-    let by_sum = vec4(0.5, -0.25, 0.5, -0.25);
-    let by_change = vec4(0.25, -0.75, 0.25, -0.75);
-    return Jet(by_sum * sum.plain + by_change * change.plain.yxwz, by_sum * sum.by_x + by_change * change.by_x.yxwz);
 }
 
 // Uniform grids (SPEC.md §11).
@@ -379,41 +203,44 @@ struct Polynomial {
 fn evaluate_grid(field: Field, position: vec3<f32>) -> Answer {
     let cell = min(vec3<u32>(position), field.cells - 1u);
     let local = position - vec3<f32>(cell);
-    var answer: Answer;
-    if field.reconstruction == RECONSTRUCTION_NEAREST {
-        let upper = local >= vec3(0.5);
-        let nearest = cell + select(vec3(0u), vec3(1u), upper);
-        answer = polynomial_at(read_polynomial(field, nearest), local - select(vec3(0.0), vec3(1.0), upper), vec4(1.0));
-    } else if field.reconstruction != RECONSTRUCTION_HERMITE {
-        answer = weighted_polynomials(field, cell, local);
+    let is_hermite = field.reconstruction == RECONSTRUCTION_HERMITE;
+    let factors = factors_of(field);
+
+    // What each reconstruction makes of a sample. A branch of its own for each would read it in several places, and
+    // compilers of shaders write all of the reading out at each.
+    var weighted: Corners;
+    var jets: Jets;
+    var quintics = Answer(0.0, vec3(0.0));
+    for (var corner = 0u; corner < 8u; corner++) {
+        let end = vec3(corner >> 2u, (corner >> 1u) & 1u, corner & 1u);
+        let sample = read_polynomial(field, cell + end);
+        if !is_hermite {
+            let here = polynomial_at(sample, local - vec3<f32>(end), factors);
+            weighted.at[corner] = vec4(here.gradient, here.distance);
+        } else if field.order == 1u {
+            let plain = vec4(sample.constant, sample.first.z, sample.first.y, 0.0);
+            jets.corners[corner] = Jet(plain, vec4(sample.first.x, 0.0, 0.0, 0.0));
+        } else {
+            let part = quintic_part(sample, local, end);
+            quintics = Answer(quintics.distance + part.distance, quintics.gradient + part.gradient);
+        }
+    }
+
+    var answer = quintics;
+    if !is_hermite {
+        answer = weighted_answer(field, weighted, local);
     } else if field.order == 1u {
-        answer = hermite_of_samples(field, cell, local);
-    } else {
-        answer = triquintic(field, cell, local);
+        answer = tricubic(&jets, local);
     }
     answer.gradient *= field.cells_per_unit;
     return answer;
 }
 
-fn vertex_of(cell: vec3<u32>, corner: u32) -> vec3<u32> {
-    return cell + vec3(corner >> 2u, (corner >> 1u) & 1u, corner & 1u);
-}
-
-// The polynomials of eight samples, weighted trilinearly or smoothly.
-fn weighted_polynomials(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answer {
-    let smoothness = select(0u, field.order, field.reconstruction == RECONSTRUCTION_BLEND);
-    let factors = factors_of(field);
-    // Slopes by local coordinates, then the value.
-    var corners: Corners;
-    for (var corner = 0u; corner < 8u; corner++) {
-        let polynomial = read_polynomial(field, vertex_of(cell, corner));
-        let here = polynomial_at(polynomial, local - vec3<f32>(vertex_of(vec3(0u), corner)), factors);
-        corners.at[corner] = vec4(here.gradient, here.distance);
-    }
-
-    let x = weights_of(smoothness, local.x);
-    let y = weights_of(smoothness, local.y);
-    let z = weights_of(smoothness, local.z);
+// The polynomials of eight samples, weighted trilinearly, smoothly, or by which is nearest.
+fn weighted_answer(field: Field, corners: Corners, local: vec3<f32>) -> Answer {
+    let x = weights_of(field, local.x);
+    let y = weights_of(field, local.y);
+    let z = weights_of(field, local.z);
     let sum = weighted_sum(corners, x.xy, y.xy, z.xy);
     let by_x = weighted_sum(corners, x.zw, y.xy, z.xy).w;
     let by_y = weighted_sum(corners, x.xy, y.zw, z.xy).w;
@@ -421,12 +248,17 @@ fn weighted_polynomials(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answ
     return Answer(sum.w, vec3(by_x, by_y, by_z) + sum.xyz);
 }
 
-// Weights of both ends of an axis whose derivatives vanish there up to the `smoothness`-th, and their derivatives.
-fn weights_of(smoothness: u32, t: f32) -> vec4<f32> {
+// Weights of both ends of an axis, and their derivatives: those of a smooth step vanish up to the samples' order.
+fn weights_of(field: Field, t: f32) -> vec4<f32> {
+    let smoothness = select(0u, field.order, field.reconstruction == RECONSTRUCTION_BLEND);
     let rest = 1.0 - t;
     var end = t;
     var slope = 1.0;
-    if smoothness == 1u {
+    if field.reconstruction == RECONSTRUCTION_NEAREST {
+        // A point midway belongs to the greater sample.
+        end = select(0.0, 1.0, t >= 0.5);
+        slope = 0.0;
+    } else if smoothness == 1u {
         end = t * t * (3.0 - 2.0 * t);
         slope = 6.0 * t * rest;
     } else if smoothness == 2u {
@@ -453,42 +285,49 @@ fn factors_of(field: Field) -> vec4<f32> {
     }
 }
 
-// Tricubic interpolation of distances and gradients.
-fn hermite_of_samples(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answer {
-    var jets: Jets;
-    for (var corner = 0u; corner < 8u; corner++) {
-        let sample = read_polynomial(field, vertex_of(cell, corner));
-        jets.corners[corner] =
-            Jet(vec4(sample.constant, sample.first.z, sample.first.y, 0.0), vec4(sample.first.x, 0.0, 0.0, 0.0));
-    }
-    return tricubic(&jets, local);
-}
-
 // The sample at a vertex: the coefficients up to its order, the others zero.
 fn read_polynomial(field: Field, vertex: vec3<u32>) -> Polynomial {
-    var sample: Polynomial;
     let number = vertex.x + field.counts.x * (vertex.y + field.counts.y * vertex.z);
-    sample.constant = read_constant(field, vertex, number);
-    if field.order == 0u {
-        return sample;
+    let count = coefficients_of(field);
+    let is_float = field.sample_precision == PRECISION_F32;
+    // Of packed samples above order 0, a word is distance and gradient: four coefficients in two halves.
+    let is_packed = field.sample_precision == PRECISION_PACKED32 && field.order > 0u;
+
+    // As stored. The halves of a packed sample are its word's, then those of coefficients 4 and up.
+    var stored: array<f32, 20>;
+    var first = 0u;
+    let skipped = select(0u, 2u, is_packed);
+    for (var half = 0u; half < count - skipped; half++) {
+        let place = number * (count - skipped) + half;
+        let bits = word(field.samples + select(place / 2u, place, is_float)) >> select(16u * (place & 1u), 0u, is_float);
+        if half == 0u {
+            first = bits;
+        }
+        stored[half + skipped] = decode_half(bits);
+        if is_float {
+            stored[half] = decode_float(bits);
+        }
+    }
+    if is_packed {
+        let gradient = decode_gradient(first);
+        stored[1] = gradient.x;
+        stored[2] = gradient.y;
+        stored[3] = gradient.z;
+    }
+    if !is_float {
+        let code = select(first & 0xFFFFu, first >> DISTANCE_SHIFT, is_packed);
+        stored[0] = decode_distance(base_of(field, vertex), code, field.quantum);
     }
 
-    // As stored.
-    if field.sample_precision == PRECISION_PACKED32 {
-        sample.first = decode_gradient(word(coefficient(field, number, 0u).x));
-    } else {
-        sample.first = read_three(field, number, 1u);
-    }
-    if field.order >= 2u {
-        sample.square = read_three(field, number, 4u);
-        sample.cross = read_three(field, number, 7u);
-    }
-    if field.order >= 3u {
-        sample.cube = read_three(field, number, 10u);
-        sample.mixed = read_three(field, number, 13u);
-        sample.more = read_three(field, number, 16u);
-        sample.xyz = read_number(field, number, 19u);
-    }
+    var sample: Polynomial;
+    sample.constant = stored[0];
+    sample.first = vec3(stored[1], stored[2], stored[3]);
+    sample.square = vec3(stored[4], stored[5], stored[6]);
+    sample.cross = vec3(stored[7], stored[8], stored[9]);
+    sample.cube = vec3(stored[10], stored[11], stored[12]);
+    sample.mixed = vec3(stored[13], stored[14], stored[15]);
+    sample.more = vec3(stored[16], stored[17], stored[18]);
+    sample.xyz = stored[19];
 
     // To local coordinates.
     let s = field.spacing;
@@ -503,59 +342,25 @@ fn read_polynomial(field: Field, vertex: vec3<u32>) -> Polynomial {
     return sample;
 }
 
-// The distance of a sample, mesh units.
-fn read_constant(field: Field, vertex: vec3<u32>, number: u32) -> f32 {
-    let place = coefficient(field, number, 0u);
-    if field.sample_precision == PRECISION_F32 {
-        return sample_float(place.x);
-    }
+// Base distance of the sample at a vertex, in quanta.
+fn base_of(field: Field, vertex: vec3<u32>) -> i32 {
     var brick = 0u;
     if field.range == RANGE_BRICK {
         let bricks = (field.counts + (BRICK_EDGE - 1u)) / BRICK_EDGE;
         let at = vertex / BRICK_EDGE;
         brick = at.x + bricks.x * (at.y + bricks.y * at.z);
     }
-    var code = (word(place.x) >> place.y) & 0xFFFFu;
-    if field.sample_precision == PRECISION_PACKED32 && field.order > 0u {
-        code = word(place.x) >> DISTANCE_SHIFT;
-    }
-    return decode_distance(bitcast<i32>(word(field.nodes + brick)), code, field.quantum);
+    return bitcast<i32>(word(field.nodes + brick));
 }
 
-fn read_three(field: Field, number: u32, first: u32) -> vec3<f32> {
-    return vec3(
-        read_number(field, number, first), read_number(field, number, first + 1u), read_number(field, number, first + 2u)
-    );
-}
-
-// A coefficient of degree 1 or more as stored.
-fn read_number(field: Field, number: u32, index: u32) -> f32 {
-    let place = coefficient(field, number, index);
-    if field.sample_precision == PRECISION_F32 {
-        return sample_float(place.x);
-    }
-    return decode_half(word(place.x) >> place.y);
-}
-
-// The word and the bit in it where a coefficient of a sample starts.
-fn coefficient(field: Field, number: u32, index: u32) -> vec2<u32> {
-    // Coefficients of a sample.
-    var count = 1u;
+// Coefficients of a sample.
+fn coefficients_of(field: Field) -> u32 {
     switch field.order {
-        case 0u: {}
-        case 1u: { count = 4u; }
-        case 2u: { count = 10u; }
-        default: { count = 20u; }
+        case 0u: { return 1u; }
+        case 1u: { return 4u; }
+        case 2u: { return 10u; }
+        default: { return 20u; }
     }
-    if field.sample_precision == PRECISION_F32 {
-        return vec2(field.samples + number * count + index, 0u);
-    }
-    var half = number * count + index;
-    if field.sample_precision == PRECISION_PACKED32 && field.order > 0u {
-        // Distance and gradient take two halves together.
-        half = number * (count - 2u) + max(index, 2u) - 2u;
-    }
-    return vec2(field.samples + half / 2u, 16u * (half & 1u));
 }
 
 // Value and derivatives at an offset from the sample, the terms of each degree times a factor.
@@ -607,21 +412,15 @@ fn quintic_slope(t: f32, end: u32) -> vec3<f32> {
     return select(near_weights, far_weights, vec3(end == 1u));
 }
 
-// Triquintic interpolation of samples of order 2, derivatives that they do not have being zero.
-fn triquintic(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answer {
-    var sum = Answer(0.0, vec3(0.0));
-    for (var corner = 0u; corner < 8u; corner++) {
-        let sample = read_polynomial(field, vertex_of(cell, corner));
-        let end = vertex_of(vec3(0u), corner);
-        let x = quintic(local.x, end.x);
-        let y = quintic(local.y, end.y);
-        let z = quintic(local.z, end.z);
-        sum.distance += quintic_product(sample, x, y, z);
-        sum.gradient.x += quintic_product(sample, quintic_slope(local.x, end.x), y, z);
-        sum.gradient.y += quintic_product(sample, x, quintic_slope(local.y, end.y), z);
-        sum.gradient.z += quintic_product(sample, x, y, quintic_slope(local.z, end.z));
-    }
-    return sum;
+// What a sample of order 2 adds to the triquintic, derivatives that it does not have being zero.
+fn quintic_part(sample: Polynomial, local: vec3<f32>, end: vec3<u32>) -> Answer {
+    let x = quintic(local.x, end.x);
+    let y = quintic(local.y, end.y);
+    let z = quintic(local.z, end.z);
+    let by_x = quintic_product(sample, quintic_slope(local.x, end.x), y, z);
+    let by_y = quintic_product(sample, x, quintic_slope(local.y, end.y), z);
+    let by_z = quintic_product(sample, x, y, quintic_slope(local.z, end.z));
+    return Answer(quintic_product(sample, x, y, z), vec3(by_x, by_y, by_z));
 }
 
 fn quintic_product(p: Polynomial, x: vec3<f32>, y: vec3<f32>, z: vec3<f32>) -> f32 {
@@ -629,6 +428,175 @@ fn quintic_product(p: Polynomial, x: vec3<f32>, y: vec3<f32>, z: vec3<f32>) -> f
         + (p.first.y * x.x + p.cross.x * x.y) * y.y + p.square.y * x.x * y.z) * z.x
         + ((p.first.z * x.x + p.cross.y * x.y) * y.x + p.cross.z * x.x * y.y) * z.y
         + p.square.z * x.x * y.x * z.z;
+}
+
+// Octrees of interpolants (SPEC.md §5 to §7, §9).
+
+// A sample block: its header, and the word after it.
+struct Block {
+    // Which lattice samples are there, and which of them are full.
+    present: u32,
+    full: u32,
+    sample_precision: u32,
+    base: i32,
+    first: u32,
+    // Units of the samples of the leaf: of distances, and of derivatives by local coordinates.
+    quantum: f32,
+    edge: f32,
+}
+
+fn evaluate_octree(field: Field, position: vec3<f32>) -> Answer {
+    // Down the tree.
+    let cell = min(vec3<u32>(position), field.cells - 1u);
+    var node = word(field.nodes + root_of(field, cell));
+    var shift = field.depth;
+    var octant = 0u;
+    while node >> NODE_OFFSET_BITS == NODE_INNER && shift > 0u {
+        shift -= 1u;
+        octant = octant_of(cell, shift);
+        node = word(field.nodes + (node & NODE_OFFSET_MASK) + octant);
+    }
+    let local = (position - vec3<f32>((cell >> vec3(shift)) << vec3(shift))) * power_of_half(shift);
+    let level = field.depth - shift;
+
+    let start = field.samples + (node & NODE_OFFSET_MASK);
+    var block: Block;
+    let first = word(start);
+    block.present = first & LATTICE_MASK;
+    block.sample_precision = (first >> PRECISION_SHIFT) & 3u;
+    block.full = word(start + 1u) & LATTICE_MASK;
+    block.base = bitcast<i32>(word(start + 2u));
+    block.first = start + 3u;
+    block.quantum = field.quantum * power_of_half(level);
+    block.edge = field.spacing.x * power_of_half(level);
+
+    var jets = read_corners(field.reconstruction, block, octant);
+    var answer: Answer;
+    if field.reconstruction == INTERPOLANT_TRICUBIC {
+        answer = tricubic(&jets, local);
+    } else {
+        answer = trilinear(jets, local);
+    }
+    answer.gradient *= 1.0 / block.edge;
+    return answer;
+}
+
+fn trilinear(jets: Jets, local: vec3<f32>) -> Answer {
+    var corners: Corners;
+    for (var corner = 0; corner < 8; corner++) {
+        corners.at[corner] = jets.corners[corner].plain;
+    }
+    let x = vec2(1.0 - local.x, local.x);
+    let y = vec2(1.0 - local.y, local.y);
+    let z = vec2(1.0 - local.z, local.z);
+    let slope = vec2(-1.0, 1.0);
+    let by_x = weighted_sum(corners, slope, y, z).x;
+    let by_y = weighted_sum(corners, x, slope, z).x;
+    let by_z = weighted_sum(corners, x, y, slope).x;
+    return Answer(weighted_sum(corners, x, y, z).x, vec3(by_x, by_y, by_z));
+}
+
+// The jets at the corners of a leaf; of a trilinear one only the distances.
+fn read_corners(interpolant: u32, block: Block, octant: u32) -> Jets {
+    var jets: Jets;
+    var implied = 0u;
+    for (var corner = 0u; corner < 8u; corner++) {
+        let along = vec3(corner >> 2u, (corner >> 1u) & 1u, corner & 1u);
+        let at = along + vec3(octant & 1u, (octant >> 1u) & 1u, octant >> 2u);
+        var source = 1u << (at.x + 3u * at.y + 9u * at.z);
+        if (block.present & source) == 0u {
+            // Implied: the parent's corner on the same side is where to start from.
+            implied |= 1u << corner;
+            source = 1u << (2u * along.x + 6u * along.y + 18u * along.z);
+        }
+        jets.corners[corner] = read_jet(interpolant, block, source);
+    }
+    if implied != 0u {
+        settle(&jets, implied, octant, 0u);
+        settle(&jets, implied, octant, 1u);
+        settle(&jets, implied, octant, 2u);
+    }
+    return jets;
+}
+
+// The sample of a lattice bit.
+fn read_jet(interpolant: u32, block: Block, source: u32) -> Jet {
+    let before = source - 1u;
+    let rank = count_bits(block.present & before);
+    let full_rank = count_bits(block.full & before);
+    let is_full = (block.full & source) != 0u;
+    let is_float = block.sample_precision == PRECISION_F32;
+    let is_trilinear = interpolant != INTERPOLANT_TRICUBIC;
+
+    // Its words.
+    let stride = select(select(1u, 2u, block.sample_precision == PRECISION_F16), 4u, is_float);
+    let full_stride = select(4u, 8u, is_float);
+    var place = rank * stride + full_rank * (full_stride - stride);
+    var count = select(stride, full_stride, is_full);
+    if is_trilinear {
+        place = select(rank / 2u, rank, is_float);
+        count = 1u;
+    }
+    var words: array<u32, 8>;
+    for (var index = 0u; index < count; index++) {
+        words[index] = word(block.first + place + index);
+    }
+
+    var distance: f32;
+    var gradient = vec3(0.0);
+    // xy, xz, yz, xyz.
+    var mixed = vec4(0.0);
+    if is_float {
+        distance = decode_float(words[0]);
+        gradient = vec3(decode_float(words[1]), decode_float(words[2]), decode_float(words[3]));
+        mixed = vec4(decode_float(words[4]), decode_float(words[5]), decode_float(words[6]), decode_float(words[7]));
+    } else if block.sample_precision == PRECISION_PACKED32 && !is_full && !is_trilinear {
+        distance = decode_distance(block.base, words[0] >> DISTANCE_SHIFT, block.quantum);
+        gradient = decode_gradient(words[0]);
+    } else {
+        let half = words[0] >> select(0u, 16u * (rank & 1u), is_trilinear);
+        distance = decode_distance(16 * block.base, half & 0xFFFFu, block.quantum * 0.0625);
+        gradient = vec3(decode_half(words[0] >> 16u), decode_halves(words[1]));
+        mixed = vec4(decode_halves(words[2]), decode_halves(words[3]));
+    }
+    if is_trilinear {
+        return Jet(vec4(distance, 0.0, 0.0, 0.0), vec4(0.0));
+    }
+    gradient *= block.edge;
+    mixed *= block.edge;
+    return Jet(vec4(distance, gradient.z, gradient.y, mixed.z), vec4(gradient.x, mixed.y, mixed.x, mixed.w));
+}
+
+// Moves the implied corners away from the parent's own along an axis to the middle of the parent's edge (§7.3).
+fn settle(jets: ptr<function, Jets>, implied: u32, octant: u32, axis: u32) {
+    let bit = 4u >> axis;
+    let end = select(bit, 0u, ((octant >> axis) & 1u) == 1u);
+    for (var corner = 0u; corner < 8u; corner++) {
+        if (corner & bit) == end && ((implied >> corner) & 1u) == 1u {
+            let near = (*jets).corners[corner & ~bit];
+            let far = (*jets).corners[corner | bit];
+            (*jets).corners[corner] = middle(near, far, axis);
+        }
+    }
+}
+
+// The jet in the middle of a cubic that spans two leaves, from those at its ends.
+fn middle(near: Jet, far: Jet, axis: u32) -> Jet {
+    let sum = Jet(near.plain + far.plain, near.by_x + far.by_x);
+    let change = Jet(near.plain - far.plain, near.by_x - far.by_x);
+    if axis == 0u {
+        return Jet(0.5 * sum.plain + 0.25 * change.by_x, -0.25 * sum.by_x + -0.75 * change.plain);
+    }
+    if axis == 1u {
+        let by_sum = vec4(0.5, 0.5, -0.25, -0.25);
+        let by_change = vec4(0.25, 0.25, -0.75, -0.75);
+        return Jet(
+            by_sum * sum.plain + by_change * change.plain.zwxy, by_sum * sum.by_x + by_change * change.by_x.zwxy
+        );
+    }
+    let by_sum = vec4(0.5, -0.25, 0.5, -0.25);
+    let by_change = vec4(0.25, -0.75, 0.25, -0.75);
+    return Jet(by_sum * sum.plain + by_change * change.plain.yxwz, by_sum * sum.by_x + by_change * change.by_x.yxwz);
 }
 
 // Octrees of polynomials (SPEC.md §12).
@@ -652,25 +620,8 @@ struct LeafHead {
     reach: u32,
 }
 
-fn evaluate_polynomial_octree(field: Field, position: vec3<f32>) -> Answer {
-    let own = find_leaf(field, min(vec3<u32>(position), field.cells - 1u));
-    let local = local_of(own, position);
-    let answer = evaluate_leaf(field, own, local);
-    if field.overlap == 0.0 {
-        return answer;
-    }
-    let reach = read_head(field, own.place).reach;
-    // In overlaps, where half an edge of the leaf is 1; with a code of 0 everywhere.
-    let share = select(power_of_half(reach) * 4.0, 2.0 / MIN_OVERLAP, reach == 0u);
-    if max(max(abs(local.x), abs(local.y)), abs(local.z)) > 1.0 - field.overlap * share {
-        return blend(field, own, position, answer);
-    }
-    return answer;
-}
-
 fn find_leaf(field: Field, cell: vec3<u32>) -> Leaf {
-    let root = cell >> vec3(field.depth);
-    var node = root_node(field, root);
+    var node = word(field.nodes + root_of(field, cell));
     var shift = field.depth;
     while (node & ROOT_LEAF) == 0u && shift > 0u {
         shift -= 1u;
@@ -681,29 +632,36 @@ fn find_leaf(field: Field, cell: vec3<u32>) -> Leaf {
 
 // Nodes are as root words have them: the byte of a leaf and a bit, or the number of a record.
 
-fn root_node(field: Field, root: vec3<u32>) -> u32 {
-    return word(field.nodes + root.x + field.counts.x * (root.y + field.counts.y * root.z));
+fn child_node(field: Field, record: u32, octant: u32) -> u32 {
+    // Records start at even bytes: four words hold one, in their lower or upper fourteen bytes.
+    let start = field.records + (RECORD_LENGTH * record) / 4u;
+    let shift = 8u * ((RECORD_LENGTH * record) & 3u);
+    var words: array<u32, 4>;
+    for (var index = 0u; index < 4u; index++) {
+        words[index] = word(start + index);
+    }
+    let inner_and_starts =
+        vec2(joined(words[0], words[1], shift), joined(words[1], words[2], shift));
+    let first = vec2(joined(words[2], words[3], shift), words[3] >> shift);
+
+    let own = (inner_and_starts[octant >> 2u] >> (8u * (octant & 3u))) & 0xFFu;
+    let before = select(own, 0u, octant == 0u);
+    if ((inner_and_starts.x >> octant) & 1u) == 1u {
+        return (first.x & RECORD_CHILD_MASK) + before;
+    }
+    let leaf = joined(first.x, first.y, RECORD_CHILD_BITS) & RECORD_LEAF_MASK;
+    return ROOT_LEAF | (leaf + before);
 }
 
-fn child_node(field: Field, record: u32, octant: u32) -> u32 {
-    // Records start at even bytes.
-    let byte = RECORD_LENGTH * record;
-    let start_bits = bits_at(field.records, 8u * (byte & 3u) + 8u * octant, byte / 4u);
-    let start = select(start_bits & 0xFFu, 0u, octant == 0u);
-    let inner = bits_at(field.records, 8u * (byte & 3u), byte / 4u);
-    let first_bit = 8u * ((byte & 3u) + RECORD_FIRST);
-    if ((inner >> octant) & 1u) == 1u {
-        return (bits_at(field.records, first_bit, byte / 4u) & RECORD_CHILD_MASK) + start;
-    }
-    let leaf = bits_at(field.records, first_bit + RECORD_CHILD_BITS, byte / 4u) & RECORD_LEAF_MASK;
-    return ROOT_LEAF | (leaf + start);
+// 32 bits from a bit of the lower of two words on.
+fn joined(lower: u32, upper: u32, bit: u32) -> u32 {
+    return (lower >> bit) | ((upper << 1u) << (31u - bit));
 }
 
 // 32 bits from a bit on, counted from a word of a section.
 fn bits_at(section: u32, bit: u32, index: u32) -> u32 {
     let at = section + index + bit / 32u;
-    let shift = bit & 31u;
-    return (word(at) >> shift) | ((word(at + 1u) << 1u) << (31u - shift));
+    return joined(word(at), word(at + 1u), bit & 31u);
 }
 
 // Local coordinates, -1 to 1 within the leaf.
@@ -724,21 +682,16 @@ fn read_head(field: Field, place: u32) -> LeafHead {
 }
 
 // Value and gradient of a leaf alone.
-fn evaluate_leaf(field: Field, leaf: Leaf, local: vec3<f32>) -> Answer {
-    let head = read_head(field, leaf.place);
-    let widths = head.widths;
+fn evaluate_leaf(field: Field, leaf: Leaf, head: LeafHead, local: vec3<f32>) -> Answer {
     let kind = byte_of(head.kind_and_degrees, 0u);
     let exponent = byte_of(head.kind_and_degrees, 3u) & MAX_EXPONENT;
     let step = field.quantum * bitcast<f32>((127u + exponent) << 23u);
 
     var bit = 8u * (leaf.place & 3u) + field.shape_bits + select(OVERLAP_BITS, 0u, field.overlap == 0.0);
     var answer = Answer(0.0, vec3(0.0));
-    for (var index = 0u; index < 2u; index++) {
-        if index == 1u && kind == KIND_SINGLE {
-            break;
-        }
+    for (var index = 0u; index < select(2u, 1u, kind == KIND_SINGLE); index++) {
         let degree = byte_of(head.kind_and_degrees, 1u + index);
-        let terms = read_terms(field, leaf.place / 4u, bit, degree, widths);
+        let terms = read_terms(field, leaf.place / 4u, bit, degree, head.widths);
         bit = terms.end;
         let other = evaluate_terms(terms, degree, local);
         let is_less = other.distance < answer.distance;
@@ -769,47 +722,31 @@ struct Terms {
 }
 
 fn read_terms(field: Field, index: u32, start: u32, degree: u32, widths: u32) -> Terms {
-    var terms: Terms;
+    // In the order of the file.
+    var codes: array<f32, 20>;
     var bit = start;
-    terms.linear.w = read_code(field, index, bit, byte_of(widths, 0u));
-    bit += byte_of(widths, 0u);
-    if degree >= 1u {
-        let width = byte_of(widths, 1u);
-        terms.linear = vec4(read_codes(field, index, bit, width), terms.linear.w);
-        bit += 3u * width;
+    var number = 0u;
+    for (var of_degree = 0u; of_degree <= min(degree, 3u); of_degree++) {
+        let width = byte_of(widths, of_degree) & 31u;
+        let size = 1u << width;
+        // 1, 4, 10, 20.
+        let end = (of_degree + 1u) * (of_degree + 2u) * (of_degree + 3u) / 6u;
+        for (; number < end; number++) {
+            let code = bits_at(field.samples, bit, index) & (size - 1u);
+            codes[number] = f32(i32(code) - i32(size >> 1u));
+            bit += width;
+        }
     }
-    if degree >= 2u {
-        let width = byte_of(widths, 2u);
-        terms.square = vec4(read_codes(field, index, bit, width), 0.0);
-        terms.cross = vec4(read_codes(field, index, bit + 3u * width, width), 0.0);
-        bit += 6u * width;
-    }
-    if degree >= 3u {
-        let width = byte_of(widths, 3u);
-        terms.cube = vec4(
-            read_codes(field, index, bit, width), read_code(field, index, bit + 9u * width, width)
-        );
-        terms.next = vec4(read_codes(field, index, bit + 3u * width, width), 0.0);
-        terms.previous = vec4(read_codes(field, index, bit + 6u * width, width), 0.0);
-        bit += 10u * width;
-    }
+
+    var terms: Terms;
+    terms.linear = vec4(codes[1], codes[2], codes[3], codes[0]);
+    terms.square = vec4(codes[4], codes[5], codes[6], 0.0);
+    terms.cross = vec4(codes[7], codes[8], codes[9], 0.0);
+    terms.cube = vec4(codes[10], codes[11], codes[12], codes[19]);
+    terms.next = vec4(codes[13], codes[14], codes[15], 0.0);
+    terms.previous = vec4(codes[16], codes[17], codes[18], 0.0);
     terms.end = bit;
     return terms;
-}
-
-// The number of a code of `width` bits.
-fn read_code(field: Field, index: u32, bit: u32, width: u32) -> f32 {
-    let size = 1u << (width & 31u);
-    let code = bits_at(field.samples, bit, index) & (size - 1u);
-    return f32(i32(code) - i32(size >> 1u));
-}
-
-fn read_codes(field: Field, index: u32, bit: u32, width: u32) -> vec3<f32> {
-    return vec3(
-        read_code(field, index, bit, width),
-        read_code(field, index, bit + width, width),
-        read_code(field, index, bit + 2u * width, width)
-    );
 }
 
 // Value and derivatives of a sum of products of Legendre polynomials, in steps.
@@ -853,86 +790,49 @@ fn weight_at(local: vec3<f32>, steepness: f32) -> vec4<f32> {
     return vec4(slope.x * (w.y * w.z), slope.y * (w.x * w.z), slope.z * (w.x * w.y), w.x * w.y * w.z);
 }
 
-// The answer where more leaves than the one that holds the position may have a say. `alone` is that leaf's.
-fn blend(field: Field, own: Leaf, position: vec3<f32>, alone: Answer) -> Answer {
-    let head = read_head(field, own.place);
+fn evaluate_polynomial_octree(field: Field, position: vec3<f32>) -> Answer {
+    let own = find_leaf(field, min(vec3<u32>(position), field.cells - 1u));
     // For a support code of 0.
     let steepness = 0.25 / field.overlap;
-    let own_weight = weight_at(local_of(own, position), steepness * f32(1u << head.support));
-    var weight = own_weight.w;
-    var weight_slope = own_weight.xyz * (2.0 / edge_of(field, own));
-    // Of differences to the leaf's own value, which loses less to rounding.
+    // Of the leaf that holds the position.
+    var alone: Answer;
+    // Sums over leaves, the values being differences to that leaf's, which loses less to rounding.
+    var weight = 0.0;
+    var weight_slope = vec3(0.0);
     var change = 0.0;
-    var slope = own_weight.w * alone.gradient;
+    var slope = vec3(0.0);
     var is_alone = true;
+    var region: Region;
 
-    // The finest cells that supports can reach the position from.
-    let share = select(power_of_half(head.reach) * 2.0, LEAST_SUPPORT_SHARE, head.reach == 0u);
-    let margin = field.overlap * f32(1u << own.shift) * share;
-    let last = field.cells - 1u;
-    let low = min(vec3<u32>(max(position - margin, vec3(0.0))), last);
-    let high = min(vec3<u32>(position + margin), last);
-
-    // All leaves of that region: the root grid x fastest, below it depth first. For each level on the way down, by the
-    // power of two of the children's edge: the record, and which children are yet to come.
-    var records: array<u32, 16>;
-    var pending: array<u32, 16>;
-    let first_root = low >> vec3(field.depth);
-    let last_root = high >> vec3(field.depth);
-    var root = first_root;
-    var cell = vec3(0u);
-    var shift = field.depth;
+    // First that leaf, then those around it, so that a leaf is evaluated at one place of the code: compilers of shaders
+    // write all of the reading out at each.
+    var leaf = own;
     loop {
-        // Up to where a child is left, or to the next root cell.
-        while shift < field.depth && pending[shift & 15u] == 0u {
-            shift += 1u;
-        }
-        var node: u32;
-        if shift < field.depth {
-            let children = pending[shift & 15u];
-            pending[shift & 15u] = children & (children - 1u);
-            let octant = count_bits((children & (~children + 1u)) - 1u);
-            let parent = (cell >> vec3(shift + 1u)) << vec3(shift + 1u);
-            cell = parent + (vec3(octant & 1u, (octant >> 1u) & 1u, octant >> 2u) << vec3(shift));
-            node = child_node(field, records[shift & 15u], octant);
-        } else {
-            if root.z > last_root.z {
-                break;
-            }
-            cell = root << vec3(field.depth);
-            node = root_node(field, root);
-            root.x += 1u;
-            if root.x > last_root.x {
-                root.x = first_root.x;
-                root.y += 1u;
-            }
-            if root.y > last_root.y {
-                root.y = first_root.y;
-                root.z += 1u;
-            }
-        }
-
-        if (node & ROOT_LEAF) == 0u && shift > 0u {
-            shift -= 1u;
-            records[shift & 15u] = node;
-            pending[shift & 15u] = children_in(cell + (1u << shift), low, high);
-            continue;
-        }
-        let leaf = Leaf(node & ~ROOT_LEAF, cell, shift);
-        if leaf.place == own.place {
-            continue;
-        }
+        let head = read_head(field, leaf.place);
         let local = local_of(leaf, position);
-        let its_weight = weight_at(local, steepness * f32(1u << read_head(field, leaf.place).support));
-        if its_weight.w > 0.0 {
-            is_alone = false;
-            let its = evaluate_leaf(field, leaf, local);
+        let is_own = leaf.place == own.place;
+        let its_weight = weight_at(local, steepness * f32(1u << head.support));
+        if is_own || its_weight.w > 0.0 {
+            let its = evaluate_leaf(field, leaf, head, local);
+            if is_own {
+                alone = its;
+                if !is_shared(field, head, local) {
+                    return its;
+                }
+                region = region_around(field, own, position, head.reach);
+            } else {
+                is_alone = false;
+            }
             let difference = its.distance - alone.distance;
             let its_slope = its_weight.xyz * (2.0 / edge_of(field, leaf));
             weight += its_weight.w;
             change += its_weight.w * difference;
             weight_slope += its_slope;
             slope += its_weight.w * its.gradient + its_slope * difference;
+        }
+        leaf = next_leaf(field, &region, own.place);
+        if leaf.place == own.place {
+            break;
         }
     }
     if is_alone {
@@ -942,6 +842,95 @@ fn blend(field: Field, own: Leaf, position: vec3<f32>, alone: Answer) -> Answer 
     let per_weight = 1.0 / weight;
     let mean = change * per_weight;
     return Answer(alone.distance + mean, (slope - mean * weight_slope) * per_weight);
+}
+
+// Whether more leaves than the one that holds the position may have a say there.
+fn is_shared(field: Field, head: LeafHead, local: vec3<f32>) -> bool {
+    // In overlaps, where half an edge of the leaf is 1; with a code of 0 everywhere.
+    let share = select(power_of_half(head.reach) * 4.0, 2.0 / MIN_OVERLAP, head.reach == 0u);
+    let outermost = max(max(abs(local.x), abs(local.y)), abs(local.z));
+    return field.overlap > 0.0 && outermost > 1.0 - field.overlap * share;
+}
+
+// The leaves that hold any of the finest cells from `low` to `high`, one after the other: the root grid x fastest, below it
+// depth first.
+struct Region {
+    low: vec3<u32>,
+    high: vec3<u32>,
+    // The root cell that comes next, in root cells.
+    root: vec3<u32>,
+    // The last cell, and its edge as a power of two.
+    cell: vec3<u32>,
+    shift: u32,
+    // For the inner nodes on the way to it, by the power of two of their children's edge: the record, and which children
+    // are yet to come.
+    records: array<u32, 16>,
+    pending: array<u32, 16>,
+}
+
+// The finest cells that supports can reach a position from.
+fn region_around(field: Field, own: Leaf, position: vec3<f32>, reach: u32) -> Region {
+    let share = select(power_of_half(reach) * 2.0, LEAST_SUPPORT_SHARE, reach == 0u);
+    let margin = field.overlap * f32(1u << own.shift) * share;
+    let last = field.cells - 1u;
+    var region: Region;
+    region.low = min(vec3<u32>(max(position - margin, vec3(0.0))), last);
+    region.high = min(vec3<u32>(position + margin), last);
+    region.root = region.low >> vec3(field.depth);
+    region.shift = field.depth;
+    return region;
+}
+
+// The next leaf of a region that is not at `own`; that one if there is none.
+fn next_leaf(field: Field, region: ptr<function, Region>, own: u32) -> Leaf {
+    loop {
+        // Up to where a child is left, or to the next root cell.
+        var shift = (*region).shift;
+        while shift < field.depth && (*region).pending[shift & 15u] == 0u {
+            shift += 1u;
+        }
+        var node: u32;
+        var cell: vec3<u32>;
+        if shift < field.depth {
+            let children = (*region).pending[shift & 15u];
+            (*region).pending[shift & 15u] = children & (children - 1u);
+            let octant = count_bits((children & (~children + 1u)) - 1u);
+            let parent = ((*region).cell >> vec3(shift + 1u)) << vec3(shift + 1u);
+            cell = parent + (vec3(octant & 1u, (octant >> 1u) & 1u, octant >> 2u) << vec3(shift));
+            node = child_node(field, (*region).records[shift & 15u], octant);
+        } else {
+            let root = (*region).root;
+            let first = (*region).low >> vec3(field.depth);
+            let last = (*region).high >> vec3(field.depth);
+            if root.z > last.z {
+                return Leaf(own, vec3(0u), 0u);
+            }
+            let is_last_x = root.x == last.x;
+            let is_last_y = is_last_x && root.y == last.y;
+            (*region).root = vec3(
+                select(root.x + 1u, first.x, is_last_x),
+                select(select(root.y, root.y + 1u, is_last_x), first.y, is_last_y),
+                select(root.z, root.z + 1u, is_last_y)
+            );
+            cell = root << vec3(field.depth);
+            node = word(field.nodes + root_of(field, cell));
+        }
+
+        (*region).cell = cell;
+        if (node & ROOT_LEAF) == 0u && shift > 0u {
+            shift -= 1u;
+            (*region).records[shift & 15u] = node;
+            (*region).pending[shift & 15u] = children_in(cell + (1u << shift), (*region).low, (*region).high);
+            (*region).shift = shift;
+            continue;
+        }
+        (*region).shift = shift;
+        let place = node & ~ROOT_LEAF;
+        if place != own {
+            return Leaf(place, cell, shift);
+        }
+    }
+    return Leaf(own, vec3(0u), 0u);
 }
 
 // Where a leaf is too fine for its neighbour's reach code, the share of an overlap that its support may still take.
@@ -954,6 +943,20 @@ fn children_in(middle: vec3<u32>, low: vec3<u32>, high: vec3<u32>) -> u32 {
     children &= select(0xFFu, 0x33u, high.y < middle.y) & select(0xFFu, 0xCCu, low.y >= middle.y);
     children &= select(0xFFu, 0x0Fu, high.z < middle.z) & select(0xFFu, 0xF0u, low.z >= middle.z);
     return children;
+}
+
+// What octrees share.
+
+// Number of the child that holds a finest cell, of a node whose children have edges of 2 to the power of `shift`.
+fn octant_of(cell: vec3<u32>, shift: u32) -> u32 {
+    let half = (cell >> vec3(shift)) & vec3(1u);
+    return half.x | (half.y << 1u) | (half.z << 2u);
+}
+
+// Number of the root cell that holds a finest cell.
+fn root_of(field: Field, cell: vec3<u32>) -> u32 {
+    let root = cell >> vec3(field.depth);
+    return root.x + field.counts.x * (root.y + field.counts.y * root.z);
 }
 
 // Values and gradients between the eight corners of a cube (SPEC.md §9.3, §9.4), an axis at a time.
@@ -1041,10 +1044,13 @@ fn weighted_sum(corners: Corners, x: vec2<f32>, y: vec2<f32>, z: vec2<f32>) -> v
 
 // Arithmetic with a fixed order of operations, words and the sample codec (SPEC.md §8).
 
-const MAX_FLOAT: f32 = 3.4028234663852886e38;
-
 fn float(index: u32) -> f32 {
     return bitcast<f32>(word(index));
+}
+
+// The number, or the greatest float where it is infinity. Told by its bits, whose order is that of numbers.
+fn finite(number: f32) -> f32 {
+    return bitcast<f32>(min(bitcast<i32>(number), 0x7F7FFFFF));
 }
 
 fn byte_of(bits: u32, number: u32) -> u32 {
@@ -1084,7 +1090,7 @@ fn length_and_direction(vector: vec3<f32>) -> Answer {
     let place = scaled / taxicab;
     let squared = place.x * place.x + place.y * place.y + place.z * place.z;
     let reciprocal = reciprocal_sqrt(squared);
-    let length = min(taxicab * (squared * reciprocal) * largest, MAX_FLOAT);
+    let length = finite(taxicab * (squared * reciprocal) * largest);
     return Answer(length, place * reciprocal);
 }
 
@@ -1123,9 +1129,8 @@ fn decode_distance(base: i32, code: u32, quantum: f32) -> f32 {
     return f32(base + i32(code)) * quantum;
 }
 
-// The float at a word; 0 for what a valid file does not hold.
-fn sample_float(index: u32) -> f32 {
-    let bits = word(index);
+// The float of a sample; 0 for what a valid file does not hold.
+fn decode_float(bits: u32) -> f32 {
     return select(0.0, bitcast<f32>(bits), (bits & 0x7FFFFFFFu) <= MAX_MAGNITUDE_BITS);
 }
 

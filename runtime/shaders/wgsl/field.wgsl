@@ -132,7 +132,7 @@ fn nearfield_evaluate(field: Field, point: vec3<f32>) -> Answer {
     var answer = answer_inside(field, nearest);
     if any(nearest != point) {
         let away = length_and_direction(point - nearest);
-        answer.distance = min(answer.distance + away.distance, MAX_FLOAT);
+        answer.distance = finite(answer.distance + away.distance);
         answer.gradient = away.gradient;
     }
     return answer;
@@ -140,12 +140,7 @@ fn nearfield_evaluate(field: Field, point: vec3<f32>) -> Answer {
 
 // The answer at a point of the box.
 fn answer_inside(field: Field, point: vec3<f32>) -> Answer {
-    let position = min((point - field.low) * field.cells_per_unit, vec3<f32>(field.cells));
-    switch field.family {
-        case FAMILY_GRID: { return evaluate_grid(field, position); }
-        case FAMILY_OCTREE: { return evaluate_octree(field, position); }
-        default: { return evaluate_polynomial_octree(field, position); }
-    }
+    return answer_at(field, min((point - field.low) * field.cells_per_unit, vec3<f32>(field.cells)));
 }
 
 // The answer at a point with a coordinate that is infinite or not a number. Told apart by their bits: compilers of

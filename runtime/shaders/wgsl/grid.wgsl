@@ -18,41 +18,44 @@ struct Polynomial {
 fn evaluate_grid(field: Field, position: vec3<f32>) -> Answer {
     let cell = min(vec3<u32>(position), field.cells - 1u);
     let local = position - vec3<f32>(cell);
-    var answer: Answer;
-    if field.reconstruction == RECONSTRUCTION_NEAREST {
-        let upper = local >= vec3(0.5);
-        let nearest = cell + select(vec3(0u), vec3(1u), upper);
-        answer = polynomial_at(read_polynomial(field, nearest), local - select(vec3(0.0), vec3(1.0), upper), vec4(1.0));
-    } else if field.reconstruction != RECONSTRUCTION_HERMITE {
-        answer = weighted_polynomials(field, cell, local);
+    let is_hermite = field.reconstruction == RECONSTRUCTION_HERMITE;
+    let factors = factors_of(field);
+
+    // What each reconstruction makes of a sample. A branch of its own for each would read it in several places, and
+    // compilers of shaders write all of the reading out at each.
+    var weighted: Corners;
+    var jets: Jets;
+    var quintics = Answer(0.0, vec3(0.0));
+    for (var corner = 0u; corner < 8u; corner++) {
+        let end = vec3(corner >> 2u, (corner >> 1u) & 1u, corner & 1u);
+        let sample = read_polynomial(field, cell + end);
+        if !is_hermite {
+            let here = polynomial_at(sample, local - vec3<f32>(end), factors);
+            weighted.at[corner] = vec4(here.gradient, here.distance);
+        } else if field.order == 1u {
+            let plain = vec4(sample.constant, sample.first.z, sample.first.y, 0.0);
+            jets.corners[corner] = Jet(plain, vec4(sample.first.x, 0.0, 0.0, 0.0));
+        } else {
+            let part = quintic_part(sample, local, end);
+            quintics = Answer(quintics.distance + part.distance, quintics.gradient + part.gradient);
+        }
+    }
+
+    var answer = quintics;
+    if !is_hermite {
+        answer = weighted_answer(field, weighted, local);
     } else if field.order == 1u {
-        answer = hermite_of_samples(field, cell, local);
-    } else {
-        answer = triquintic(field, cell, local);
+        answer = tricubic(&jets, local);
     }
     answer.gradient *= field.cells_per_unit;
     return answer;
 }
 
-fn vertex_of(cell: vec3<u32>, corner: u32) -> vec3<u32> {
-    return cell + vec3(corner >> 2u, (corner >> 1u) & 1u, corner & 1u);
-}
-
-// The polynomials of eight samples, weighted trilinearly or smoothly.
-fn weighted_polynomials(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answer {
-    let smoothness = select(0u, field.order, field.reconstruction == RECONSTRUCTION_BLEND);
-    let factors = factors_of(field);
-    // Slopes by local coordinates, then the value.
-    var corners: Corners;
-    for (var corner = 0u; corner < 8u; corner++) {
-        let polynomial = read_polynomial(field, vertex_of(cell, corner));
-        let here = polynomial_at(polynomial, local - vec3<f32>(vertex_of(vec3(0u), corner)), factors);
-        corners.at[corner] = vec4(here.gradient, here.distance);
-    }
-
-    let x = weights_of(smoothness, local.x);
-    let y = weights_of(smoothness, local.y);
-    let z = weights_of(smoothness, local.z);
+// The polynomials of eight samples, weighted trilinearly, smoothly, or by which is nearest.
+fn weighted_answer(field: Field, corners: Corners, local: vec3<f32>) -> Answer {
+    let x = weights_of(field, local.x);
+    let y = weights_of(field, local.y);
+    let z = weights_of(field, local.z);
     let sum = weighted_sum(corners, x.xy, y.xy, z.xy);
     let by_x = weighted_sum(corners, x.zw, y.xy, z.xy).w;
     let by_y = weighted_sum(corners, x.xy, y.zw, z.xy).w;
@@ -60,12 +63,17 @@ fn weighted_polynomials(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answ
     return Answer(sum.w, vec3(by_x, by_y, by_z) + sum.xyz);
 }
 
-// Weights of both ends of an axis whose derivatives vanish there up to the `smoothness`-th, and their derivatives.
-fn weights_of(smoothness: u32, t: f32) -> vec4<f32> {
+// Weights of both ends of an axis, and their derivatives: those of a smooth step vanish up to the samples' order.
+fn weights_of(field: Field, t: f32) -> vec4<f32> {
+    let smoothness = select(0u, field.order, field.reconstruction == RECONSTRUCTION_BLEND);
     let rest = 1.0 - t;
     var end = t;
     var slope = 1.0;
-    if smoothness == 1u {
+    if field.reconstruction == RECONSTRUCTION_NEAREST {
+        // A point midway belongs to the greater sample.
+        end = select(0.0, 1.0, t >= 0.5);
+        slope = 0.0;
+    } else if smoothness == 1u {
         end = t * t * (3.0 - 2.0 * t);
         slope = 6.0 * t * rest;
     } else if smoothness == 2u {
@@ -92,42 +100,49 @@ fn factors_of(field: Field) -> vec4<f32> {
     }
 }
 
-// Tricubic interpolation of distances and gradients.
-fn hermite_of_samples(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answer {
-    var jets: Jets;
-    for (var corner = 0u; corner < 8u; corner++) {
-        let sample = read_polynomial(field, vertex_of(cell, corner));
-        jets.corners[corner] =
-            Jet(vec4(sample.constant, sample.first.z, sample.first.y, 0.0), vec4(sample.first.x, 0.0, 0.0, 0.0));
-    }
-    return tricubic(&jets, local);
-}
-
 // The sample at a vertex: the coefficients up to its order, the others zero.
 fn read_polynomial(field: Field, vertex: vec3<u32>) -> Polynomial {
-    var sample: Polynomial;
     let number = vertex.x + field.counts.x * (vertex.y + field.counts.y * vertex.z);
-    sample.constant = read_constant(field, vertex, number);
-    if field.order == 0u {
-        return sample;
+    let count = coefficients_of(field);
+    let is_float = field.sample_precision == PRECISION_F32;
+    // Of packed samples above order 0, a word is distance and gradient: four coefficients in two halves.
+    let is_packed = field.sample_precision == PRECISION_PACKED32 && field.order > 0u;
+
+    // As stored. The halves of a packed sample are its word's, then those of coefficients 4 and up.
+    var stored: array<f32, 20>;
+    var first = 0u;
+    let skipped = select(0u, 2u, is_packed);
+    for (var half = 0u; half < count - skipped; half++) {
+        let place = number * (count - skipped) + half;
+        let bits = word(field.samples + select(place / 2u, place, is_float)) >> select(16u * (place & 1u), 0u, is_float);
+        if half == 0u {
+            first = bits;
+        }
+        stored[half + skipped] = decode_half(bits);
+        if is_float {
+            stored[half] = decode_float(bits);
+        }
+    }
+    if is_packed {
+        let gradient = decode_gradient(first);
+        stored[1] = gradient.x;
+        stored[2] = gradient.y;
+        stored[3] = gradient.z;
+    }
+    if !is_float {
+        let code = select(first & 0xFFFFu, first >> DISTANCE_SHIFT, is_packed);
+        stored[0] = decode_distance(base_of(field, vertex), code, field.quantum);
     }
 
-    // As stored.
-    if field.sample_precision == PRECISION_PACKED32 {
-        sample.first = decode_gradient(word(coefficient(field, number, 0u).x));
-    } else {
-        sample.first = read_three(field, number, 1u);
-    }
-    if field.order >= 2u {
-        sample.square = read_three(field, number, 4u);
-        sample.cross = read_three(field, number, 7u);
-    }
-    if field.order >= 3u {
-        sample.cube = read_three(field, number, 10u);
-        sample.mixed = read_three(field, number, 13u);
-        sample.more = read_three(field, number, 16u);
-        sample.xyz = read_number(field, number, 19u);
-    }
+    var sample: Polynomial;
+    sample.constant = stored[0];
+    sample.first = vec3(stored[1], stored[2], stored[3]);
+    sample.square = vec3(stored[4], stored[5], stored[6]);
+    sample.cross = vec3(stored[7], stored[8], stored[9]);
+    sample.cube = vec3(stored[10], stored[11], stored[12]);
+    sample.mixed = vec3(stored[13], stored[14], stored[15]);
+    sample.more = vec3(stored[16], stored[17], stored[18]);
+    sample.xyz = stored[19];
 
     // To local coordinates.
     let s = field.spacing;
@@ -142,59 +157,25 @@ fn read_polynomial(field: Field, vertex: vec3<u32>) -> Polynomial {
     return sample;
 }
 
-// The distance of a sample, mesh units.
-fn read_constant(field: Field, vertex: vec3<u32>, number: u32) -> f32 {
-    let place = coefficient(field, number, 0u);
-    if field.sample_precision == PRECISION_F32 {
-        return sample_float(place.x);
-    }
+// Base distance of the sample at a vertex, in quanta.
+fn base_of(field: Field, vertex: vec3<u32>) -> i32 {
     var brick = 0u;
     if field.range == RANGE_BRICK {
         let bricks = (field.counts + (BRICK_EDGE - 1u)) / BRICK_EDGE;
         let at = vertex / BRICK_EDGE;
         brick = at.x + bricks.x * (at.y + bricks.y * at.z);
     }
-    var code = (word(place.x) >> place.y) & 0xFFFFu;
-    if field.sample_precision == PRECISION_PACKED32 && field.order > 0u {
-        code = word(place.x) >> DISTANCE_SHIFT;
-    }
-    return decode_distance(bitcast<i32>(word(field.nodes + brick)), code, field.quantum);
+    return bitcast<i32>(word(field.nodes + brick));
 }
 
-fn read_three(field: Field, number: u32, first: u32) -> vec3<f32> {
-    return vec3(
-        read_number(field, number, first), read_number(field, number, first + 1u), read_number(field, number, first + 2u)
-    );
-}
-
-// A coefficient of degree 1 or more as stored.
-fn read_number(field: Field, number: u32, index: u32) -> f32 {
-    let place = coefficient(field, number, index);
-    if field.sample_precision == PRECISION_F32 {
-        return sample_float(place.x);
-    }
-    return decode_half(word(place.x) >> place.y);
-}
-
-// The word and the bit in it where a coefficient of a sample starts.
-fn coefficient(field: Field, number: u32, index: u32) -> vec2<u32> {
-    // Coefficients of a sample.
-    var count = 1u;
+// Coefficients of a sample.
+fn coefficients_of(field: Field) -> u32 {
     switch field.order {
-        case 0u: {}
-        case 1u: { count = 4u; }
-        case 2u: { count = 10u; }
-        default: { count = 20u; }
+        case 0u: { return 1u; }
+        case 1u: { return 4u; }
+        case 2u: { return 10u; }
+        default: { return 20u; }
     }
-    if field.sample_precision == PRECISION_F32 {
-        return vec2(field.samples + number * count + index, 0u);
-    }
-    var half = number * count + index;
-    if field.sample_precision == PRECISION_PACKED32 && field.order > 0u {
-        // Distance and gradient take two halves together.
-        half = number * (count - 2u) + max(index, 2u) - 2u;
-    }
-    return vec2(field.samples + half / 2u, 16u * (half & 1u));
 }
 
 // Value and derivatives at an offset from the sample, the terms of each degree times a factor.
@@ -246,21 +227,15 @@ fn quintic_slope(t: f32, end: u32) -> vec3<f32> {
     return select(near_weights, far_weights, vec3(end == 1u));
 }
 
-// Triquintic interpolation of samples of order 2, derivatives that they do not have being zero.
-fn triquintic(field: Field, cell: vec3<u32>, local: vec3<f32>) -> Answer {
-    var sum = Answer(0.0, vec3(0.0));
-    for (var corner = 0u; corner < 8u; corner++) {
-        let sample = read_polynomial(field, vertex_of(cell, corner));
-        let end = vertex_of(vec3(0u), corner);
-        let x = quintic(local.x, end.x);
-        let y = quintic(local.y, end.y);
-        let z = quintic(local.z, end.z);
-        sum.distance += quintic_product(sample, x, y, z);
-        sum.gradient.x += quintic_product(sample, quintic_slope(local.x, end.x), y, z);
-        sum.gradient.y += quintic_product(sample, x, quintic_slope(local.y, end.y), z);
-        sum.gradient.z += quintic_product(sample, x, y, quintic_slope(local.z, end.z));
-    }
-    return sum;
+// What a sample of order 2 adds to the triquintic, derivatives that it does not have being zero.
+fn quintic_part(sample: Polynomial, local: vec3<f32>, end: vec3<u32>) -> Answer {
+    let x = quintic(local.x, end.x);
+    let y = quintic(local.y, end.y);
+    let z = quintic(local.z, end.z);
+    let by_x = quintic_product(sample, quintic_slope(local.x, end.x), y, z);
+    let by_y = quintic_product(sample, x, quintic_slope(local.y, end.y), z);
+    let by_z = quintic_product(sample, x, y, quintic_slope(local.z, end.z));
+    return Answer(quintic_product(sample, x, y, z), vec3(by_x, by_y, by_z));
 }
 
 fn quintic_product(p: Polynomial, x: vec3<f32>, y: vec3<f32>, z: vec3<f32>) -> f32 {

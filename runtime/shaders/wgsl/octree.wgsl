@@ -16,8 +16,7 @@ struct Block {
 fn evaluate_octree(field: Field, position: vec3<f32>) -> Answer {
     // Down the tree.
     let cell = min(vec3<u32>(position), field.cells - 1u);
-    let root = cell >> vec3(field.depth);
-    var node = word(field.nodes + root.x + field.counts.x * (root.y + field.counts.y * root.z));
+    var node = word(field.nodes + root_of(field, cell));
     var shift = field.depth;
     var octant = 0u;
     while node >> NODE_OFFSET_BITS == NODE_INNER && shift > 0u {
@@ -30,8 +29,9 @@ fn evaluate_octree(field: Field, position: vec3<f32>) -> Answer {
 
     let start = field.samples + (node & NODE_OFFSET_MASK);
     var block: Block;
-    block.present = word(start) & LATTICE_MASK;
-    block.sample_precision = (word(start) >> PRECISION_SHIFT) & 3u;
+    let first = word(start);
+    block.present = first & LATTICE_MASK;
+    block.sample_precision = (first >> PRECISION_SHIFT) & 3u;
     block.full = word(start + 1u) & LATTICE_MASK;
     block.base = bitcast<i32>(word(start + 2u));
     block.first = start + 3u;
@@ -47,12 +47,6 @@ fn evaluate_octree(field: Field, position: vec3<f32>) -> Answer {
     }
     answer.gradient *= 1.0 / block.edge;
     return answer;
-}
-
-// Number of the child that holds a finest cell, of a node whose children have edges of 2 to the power of `shift`.
-fn octant_of(cell: vec3<u32>, shift: u32) -> u32 {
-    let half = (cell >> vec3(shift)) & vec3(1u);
-    return half.x | (half.y << 1u) | (half.z << 2u);
 }
 
 fn trilinear(jets: Jets, local: vec3<f32>) -> Answer {
@@ -83,11 +77,7 @@ fn read_corners(interpolant: u32, block: Block, octant: u32) -> Jets {
             implied |= 1u << corner;
             source = 1u << (2u * along.x + 6u * along.y + 18u * along.z);
         }
-        if interpolant == INTERPOLANT_TRICUBIC {
-            jets.corners[corner] = read_jet(block, source);
-        } else {
-            jets.corners[corner] = Jet(vec4(read_distance(block, source), 0.0, 0.0, 0.0), vec4(0.0));
-        }
+        jets.corners[corner] = read_jet(interpolant, block, source);
     }
     if implied != 0u {
         settle(&jets, implied, octant, 0u);
@@ -97,53 +87,52 @@ fn read_corners(interpolant: u32, block: Block, octant: u32) -> Jets {
     return jets;
 }
 
-// The tricubic sample of a lattice bit.
-fn read_jet(block: Block, source: u32) -> Jet {
+// The sample of a lattice bit.
+fn read_jet(interpolant: u32, block: Block, source: u32) -> Jet {
     let before = source - 1u;
     let rank = count_bits(block.present & before);
     let full_rank = count_bits(block.full & before);
     let is_full = (block.full & source) != 0u;
+    let is_float = block.sample_precision == PRECISION_F32;
+    let is_trilinear = interpolant != INTERPOLANT_TRICUBIC;
+
+    // Its words.
+    let stride = select(select(1u, 2u, block.sample_precision == PRECISION_F16), 4u, is_float);
+    let full_stride = select(4u, 8u, is_float);
+    var place = rank * stride + full_rank * (full_stride - stride);
+    var count = select(stride, full_stride, is_full);
+    if is_trilinear {
+        place = select(rank / 2u, rank, is_float);
+        count = 1u;
+    }
+    var words: array<u32, 8>;
+    for (var index = 0u; index < count; index++) {
+        words[index] = word(block.first + place + index);
+    }
+
     var distance: f32;
-    var gradient: vec3<f32>;
+    var gradient = vec3(0.0);
     // xy, xz, yz, xyz.
     var mixed = vec4(0.0);
-    if block.sample_precision == PRECISION_F32 {
-        let place = block.first + 4u * (rank + full_rank);
-        distance = sample_float(place);
-        gradient = vec3(sample_float(place + 1u), sample_float(place + 2u), sample_float(place + 3u));
-        if is_full {
-            mixed = vec4(
-                sample_float(place + 4u), sample_float(place + 5u), sample_float(place + 6u), sample_float(place + 7u)
-            );
-        }
-    } else if block.sample_precision == PRECISION_PACKED32 && !is_full {
-        let code = word(block.first + rank + 3u * full_rank);
-        distance = decode_distance(block.base, code >> DISTANCE_SHIFT, block.quantum);
-        gradient = decode_gradient(code);
+    if is_float {
+        distance = decode_float(words[0]);
+        gradient = vec3(decode_float(words[1]), decode_float(words[2]), decode_float(words[3]));
+        mixed = vec4(decode_float(words[4]), decode_float(words[5]), decode_float(words[6]), decode_float(words[7]));
+    } else if block.sample_precision == PRECISION_PACKED32 && !is_full && !is_trilinear {
+        distance = decode_distance(block.base, words[0] >> DISTANCE_SHIFT, block.quantum);
+        gradient = decode_gradient(words[0]);
     } else {
-        let stride = select(1u, 2u, block.sample_precision == PRECISION_F16);
-        let place = block.first + rank * stride + full_rank * (4u - stride);
-        let first = word(place);
-        let last = decode_halves(word(place + 1u));
-        distance = decode_distance(16 * block.base, first & 0xFFFFu, block.quantum * 0.0625);
-        gradient = vec3(decode_half(first >> 16u), last.x, last.y);
-        if is_full {
-            mixed = vec4(decode_halves(word(place + 2u)), decode_halves(word(place + 3u)));
-        }
+        let half = words[0] >> select(0u, 16u * (rank & 1u), is_trilinear);
+        distance = decode_distance(16 * block.base, half & 0xFFFFu, block.quantum * 0.0625);
+        gradient = vec3(decode_half(words[0] >> 16u), decode_halves(words[1]));
+        mixed = vec4(decode_halves(words[2]), decode_halves(words[3]));
+    }
+    if is_trilinear {
+        return Jet(vec4(distance, 0.0, 0.0, 0.0), vec4(0.0));
     }
     gradient *= block.edge;
     mixed *= block.edge;
     return Jet(vec4(distance, gradient.z, gradient.y, mixed.z), vec4(gradient.x, mixed.y, mixed.x, mixed.w));
-}
-
-// The trilinear sample of a lattice bit.
-fn read_distance(block: Block, source: u32) -> f32 {
-    let rank = count_bits(block.present & (source - 1u));
-    if block.sample_precision == PRECISION_F32 {
-        return sample_float(block.first + rank);
-    }
-    let code = (word(block.first + rank / 2u) >> (16u * (rank & 1u))) & 0xFFFFu;
-    return decode_distance(16 * block.base, code, block.quantum * 0.0625);
 }
 
 // Moves the implied corners away from the parent's own along an axis to the middle of the parent's edge (§7.3).

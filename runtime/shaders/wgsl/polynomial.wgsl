@@ -19,25 +19,8 @@ struct LeafHead {
     reach: u32,
 }
 
-fn evaluate_polynomial_octree(field: Field, position: vec3<f32>) -> Answer {
-    let own = find_leaf(field, min(vec3<u32>(position), field.cells - 1u));
-    let local = local_of(own, position);
-    let answer = evaluate_leaf(field, own, local);
-    if field.overlap == 0.0 {
-        return answer;
-    }
-    let reach = read_head(field, own.place).reach;
-    // In overlaps, where half an edge of the leaf is 1; with a code of 0 everywhere.
-    let share = select(power_of_half(reach) * 4.0, 2.0 / MIN_OVERLAP, reach == 0u);
-    if max(max(abs(local.x), abs(local.y)), abs(local.z)) > 1.0 - field.overlap * share {
-        return blend(field, own, position, answer);
-    }
-    return answer;
-}
-
 fn find_leaf(field: Field, cell: vec3<u32>) -> Leaf {
-    let root = cell >> vec3(field.depth);
-    var node = root_node(field, root);
+    var node = word(field.nodes + root_of(field, cell));
     var shift = field.depth;
     while (node & ROOT_LEAF) == 0u && shift > 0u {
         shift -= 1u;
@@ -48,29 +31,36 @@ fn find_leaf(field: Field, cell: vec3<u32>) -> Leaf {
 
 // Nodes are as root words have them: the byte of a leaf and a bit, or the number of a record.
 
-fn root_node(field: Field, root: vec3<u32>) -> u32 {
-    return word(field.nodes + root.x + field.counts.x * (root.y + field.counts.y * root.z));
+fn child_node(field: Field, record: u32, octant: u32) -> u32 {
+    // Records start at even bytes: four words hold one, in their lower or upper fourteen bytes.
+    let start = field.records + (RECORD_LENGTH * record) / 4u;
+    let shift = 8u * ((RECORD_LENGTH * record) & 3u);
+    var words: array<u32, 4>;
+    for (var index = 0u; index < 4u; index++) {
+        words[index] = word(start + index);
+    }
+    let inner_and_starts =
+        vec2(joined(words[0], words[1], shift), joined(words[1], words[2], shift));
+    let first = vec2(joined(words[2], words[3], shift), words[3] >> shift);
+
+    let own = (inner_and_starts[octant >> 2u] >> (8u * (octant & 3u))) & 0xFFu;
+    let before = select(own, 0u, octant == 0u);
+    if ((inner_and_starts.x >> octant) & 1u) == 1u {
+        return (first.x & RECORD_CHILD_MASK) + before;
+    }
+    let leaf = joined(first.x, first.y, RECORD_CHILD_BITS) & RECORD_LEAF_MASK;
+    return ROOT_LEAF | (leaf + before);
 }
 
-fn child_node(field: Field, record: u32, octant: u32) -> u32 {
-    // Records start at even bytes.
-    let byte = RECORD_LENGTH * record;
-    let start_bits = bits_at(field.records, 8u * (byte & 3u) + 8u * octant, byte / 4u);
-    let start = select(start_bits & 0xFFu, 0u, octant == 0u);
-    let inner = bits_at(field.records, 8u * (byte & 3u), byte / 4u);
-    let first_bit = 8u * ((byte & 3u) + RECORD_FIRST);
-    if ((inner >> octant) & 1u) == 1u {
-        return (bits_at(field.records, first_bit, byte / 4u) & RECORD_CHILD_MASK) + start;
-    }
-    let leaf = bits_at(field.records, first_bit + RECORD_CHILD_BITS, byte / 4u) & RECORD_LEAF_MASK;
-    return ROOT_LEAF | (leaf + start);
+// 32 bits from a bit of the lower of two words on.
+fn joined(lower: u32, upper: u32, bit: u32) -> u32 {
+    return (lower >> bit) | ((upper << 1u) << (31u - bit));
 }
 
 // 32 bits from a bit on, counted from a word of a section.
 fn bits_at(section: u32, bit: u32, index: u32) -> u32 {
     let at = section + index + bit / 32u;
-    let shift = bit & 31u;
-    return (word(at) >> shift) | ((word(at + 1u) << 1u) << (31u - shift));
+    return joined(word(at), word(at + 1u), bit & 31u);
 }
 
 // Local coordinates, -1 to 1 within the leaf.
@@ -91,21 +81,16 @@ fn read_head(field: Field, place: u32) -> LeafHead {
 }
 
 // Value and gradient of a leaf alone.
-fn evaluate_leaf(field: Field, leaf: Leaf, local: vec3<f32>) -> Answer {
-    let head = read_head(field, leaf.place);
-    let widths = head.widths;
+fn evaluate_leaf(field: Field, leaf: Leaf, head: LeafHead, local: vec3<f32>) -> Answer {
     let kind = byte_of(head.kind_and_degrees, 0u);
     let exponent = byte_of(head.kind_and_degrees, 3u) & MAX_EXPONENT;
     let step = field.quantum * bitcast<f32>((127u + exponent) << 23u);
 
     var bit = 8u * (leaf.place & 3u) + field.shape_bits + select(OVERLAP_BITS, 0u, field.overlap == 0.0);
     var answer = Answer(0.0, vec3(0.0));
-    for (var index = 0u; index < 2u; index++) {
-        if index == 1u && kind == KIND_SINGLE {
-            break;
-        }
+    for (var index = 0u; index < select(2u, 1u, kind == KIND_SINGLE); index++) {
         let degree = byte_of(head.kind_and_degrees, 1u + index);
-        let terms = read_terms(field, leaf.place / 4u, bit, degree, widths);
+        let terms = read_terms(field, leaf.place / 4u, bit, degree, head.widths);
         bit = terms.end;
         let other = evaluate_terms(terms, degree, local);
         let is_less = other.distance < answer.distance;
@@ -136,47 +121,31 @@ struct Terms {
 }
 
 fn read_terms(field: Field, index: u32, start: u32, degree: u32, widths: u32) -> Terms {
-    var terms: Terms;
+    // In the order of the file.
+    var codes: array<f32, 20>;
     var bit = start;
-    terms.linear.w = read_code(field, index, bit, byte_of(widths, 0u));
-    bit += byte_of(widths, 0u);
-    if degree >= 1u {
-        let width = byte_of(widths, 1u);
-        terms.linear = vec4(read_codes(field, index, bit, width), terms.linear.w);
-        bit += 3u * width;
+    var number = 0u;
+    for (var of_degree = 0u; of_degree <= min(degree, 3u); of_degree++) {
+        let width = byte_of(widths, of_degree) & 31u;
+        let size = 1u << width;
+        // 1, 4, 10, 20.
+        let end = (of_degree + 1u) * (of_degree + 2u) * (of_degree + 3u) / 6u;
+        for (; number < end; number++) {
+            let code = bits_at(field.samples, bit, index) & (size - 1u);
+            codes[number] = f32(i32(code) - i32(size >> 1u));
+            bit += width;
+        }
     }
-    if degree >= 2u {
-        let width = byte_of(widths, 2u);
-        terms.square = vec4(read_codes(field, index, bit, width), 0.0);
-        terms.cross = vec4(read_codes(field, index, bit + 3u * width, width), 0.0);
-        bit += 6u * width;
-    }
-    if degree >= 3u {
-        let width = byte_of(widths, 3u);
-        terms.cube = vec4(
-            read_codes(field, index, bit, width), read_code(field, index, bit + 9u * width, width)
-        );
-        terms.next = vec4(read_codes(field, index, bit + 3u * width, width), 0.0);
-        terms.previous = vec4(read_codes(field, index, bit + 6u * width, width), 0.0);
-        bit += 10u * width;
-    }
+
+    var terms: Terms;
+    terms.linear = vec4(codes[1], codes[2], codes[3], codes[0]);
+    terms.square = vec4(codes[4], codes[5], codes[6], 0.0);
+    terms.cross = vec4(codes[7], codes[8], codes[9], 0.0);
+    terms.cube = vec4(codes[10], codes[11], codes[12], codes[19]);
+    terms.next = vec4(codes[13], codes[14], codes[15], 0.0);
+    terms.previous = vec4(codes[16], codes[17], codes[18], 0.0);
     terms.end = bit;
     return terms;
-}
-
-// The number of a code of `width` bits.
-fn read_code(field: Field, index: u32, bit: u32, width: u32) -> f32 {
-    let size = 1u << (width & 31u);
-    let code = bits_at(field.samples, bit, index) & (size - 1u);
-    return f32(i32(code) - i32(size >> 1u));
-}
-
-fn read_codes(field: Field, index: u32, bit: u32, width: u32) -> vec3<f32> {
-    return vec3(
-        read_code(field, index, bit, width),
-        read_code(field, index, bit + width, width),
-        read_code(field, index, bit + 2u * width, width)
-    );
 }
 
 // Value and derivatives of a sum of products of Legendre polynomials, in steps.

@@ -84,8 +84,8 @@ fn through(field: Field, origin: vec3<f32>, direction: vec3<f32>) -> vec2<f32> {
 
 // How far one may go in any direction from where the field says `distance` without crossing zero: by its slope, and by its
 // error, since within `distance` - 2 errors the true distance is at least the error.
-fn safe_step(distance: f32) -> f32 {
-    return max(distance / max(nearfield_slope(), 1.0), distance - 2.0 * nearfield_error());
+fn safe_step(distance: f32, slope: f32, error: f32) -> f32 {
+    return max(distance / slope, distance - 2.0 * error);
 }
 
 fn direction_of(seen: vec3<f32>) -> vec3<f32> {
@@ -115,6 +115,8 @@ fn colour(field: Field, direction: vec3<f32>) -> vec3<f32> {
         return BACKGROUND;
     }
 
+    let slope = max(nearfield_slope(), 1.0);
+    let error = nearfield_error();
     let lamp = direction_of(LAMP);
     var travelled = interval.x;
     var place = view.eye + direction * travelled;
@@ -137,7 +139,7 @@ fn colour(field: Field, direction: vec3<f32>) -> vec3<f32> {
         } else if phase == TRACE {
             let near = ARRIVED * view.pixel * travelled;
             if distance >= near && steps <= MAX_STEPS {
-                travelled += max(safe_step(distance), near);
+                travelled += max(safe_step(distance, slope, error), near);
                 if travelled > interval.y {
                     return BACKGROUND;
                 }
@@ -160,7 +162,7 @@ fn colour(field: Field, direction: vec3<f32>) -> vec3<f32> {
             weight *= 0.7;
         } else {
             lit = min(lit, SHADOW_SHARPNESS * distance / travelled);
-            travelled += max(safe_step(distance), 2e-3 * view.size);
+            travelled += max(safe_step(distance, slope, error), 2e-3 * view.size);
         }
 
         // Up the normal, then to the lamp.

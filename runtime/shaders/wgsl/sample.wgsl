@@ -1,9 +1,12 @@
 // Arithmetic with a fixed order of operations, words and the sample codec (SPEC.md §8).
 
-const MAX_FLOAT: f32 = 3.4028234663852886e38;
-
 fn float(index: u32) -> f32 {
     return bitcast<f32>(word(index));
+}
+
+// The number, or the greatest float where it is infinity. Told by its bits, whose order is that of numbers.
+fn finite(number: f32) -> f32 {
+    return bitcast<f32>(min(bitcast<i32>(number), 0x7F7FFFFF));
 }
 
 fn byte_of(bits: u32, number: u32) -> u32 {
@@ -43,7 +46,7 @@ fn length_and_direction(vector: vec3<f32>) -> Answer {
     let place = scaled / taxicab;
     let squared = place.x * place.x + place.y * place.y + place.z * place.z;
     let reciprocal = reciprocal_sqrt(squared);
-    let length = min(taxicab * (squared * reciprocal) * largest, MAX_FLOAT);
+    let length = finite(taxicab * (squared * reciprocal) * largest);
     return Answer(length, place * reciprocal);
 }
 
@@ -82,8 +85,7 @@ fn decode_distance(base: i32, code: u32, quantum: f32) -> f32 {
     return f32(base + i32(code)) * quantum;
 }
 
-// The float at a word; 0 for what a valid file does not hold.
-fn sample_float(index: u32) -> f32 {
-    let bits = word(index);
+// The float of a sample; 0 for what a valid file does not hold.
+fn decode_float(bits: u32) -> f32 {
     return select(0.0, bitcast<f32>(bits), (bits & 0x7FFFFFFFu) <= MAX_MAGNITUDE_BITS);
 }
