@@ -15,7 +15,9 @@ const SCRIPTS: [&str; 4] = [
 ];
 /// GLSL ES 3.00, which `runtime/shaders` makes.
 const VERTEX: &str = include_str!("viewer/generated/corner.vert");
-const FRAGMENT: &str = include_str!("viewer/generated/pixel.frag");
+const GRID: &str = include_str!("viewer/generated/grid.frag");
+const OCTREE: &str = include_str!("viewer/generated/octree.frag");
+const POLYNOMIAL: &str = include_str!("viewer/generated/polynomial.frag");
 
 /// What a page shows first.
 #[derive(Clone, Debug)]
@@ -54,7 +56,9 @@ pub fn viewer_page(bytes: &[u8], viewer: &Viewer<'_>) -> String {
         ("title", escape(viewer.name)),
         ("style", STYLE.to_owned()),
         ("vertex", VERTEX.to_owned()),
-        ("fragment", FRAGMENT.to_owned()),
+        ("grid", GRID.to_owned()),
+        ("octree", OCTREE.to_owned()),
+        ("polynomial", POLYNOMIAL.to_owned()),
         // Within a script nothing ends it but "</".
         ("settings", settings.replace('<', "\\u003c")),
         ("script", SCRIPTS.join("\n")),

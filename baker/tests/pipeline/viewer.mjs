@@ -39,8 +39,7 @@ const drop = (path) => page.evaluate(([base64, name]) => {
 await page.goto(pathToFileURL(page_path).href);
 await drawn();
 const panel = await page.textContent("#panel");
-await page.click("#toggle");
-await page.addStyleTag({ content: "#toggle { display: none }" });
+await page.addStyleTag({ content: "#toggle, #panel { display: none !important }" });
 await shoot("first.png");
 
 await page.selectOption("#axis", "0", { force: true });
@@ -57,7 +56,6 @@ await shoot("moved.png");
 await drop(damaged);
 await page.waitForSelector("#message:not([hidden])", { state: "attached" });
 const refusal = await page.textContent("#message");
-await page.evaluate(() => { document.getElementById("panel").hidden = true; });
 await drop(other);
 await page.waitForFunction((name) => document.title === name, basename(other));
 await shoot("dropped.png");

@@ -1,17 +1,30 @@
-// Draws a view with WebGL2: the shader reads the bytes of the file from a texture of four words a texel.
+// Draws a view with WebGL2: the shaders read the bytes of the file from a texture of four words a texel. Each family has a
+// shader of its own, since one for all takes drivers long to compile.
 
 const TEXELS_A_ROW = 2048;
 const SHOW = { occlusion: 1, shadow: 2, normals: 4 };
 
 class Painter {
-  constructor(canvas, vertex, fragment) {
-    this.canvas = canvas;
+  // `fragments`: the source for each family, by its code.
+  constructor(canvas, vertex, fragments) {
+    Object.assign(this, { canvas, vertex, fragments, programs: {} });
     const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
     if (!gl) throw new Error("this browser has no WebGL2");
     this.gl = gl;
+    this.block = new ArrayBuffer(112);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, gl.createBuffer());
+    gl.bufferData(gl.UNIFORM_BUFFER, this.block.byteLength, gl.DYNAMIC_DRAW);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  }
 
+  // The program for a family.
+  compile(family) {
+    const gl = this.gl;
     const program = gl.createProgram();
-    const shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(([kind, source]) => {
+    const sources = [[gl.VERTEX_SHADER, this.vertex], [gl.FRAGMENT_SHADER, this.fragments[family]]];
+    const shaders = sources.map(([kind, source]) => {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source.trim());
       gl.compileShader(shader);
@@ -23,26 +36,22 @@ class Painter {
       const reasons = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
       throw new Error(`the shader does not compile here: ${reasons.filter(Boolean).join(" ")}`);
     }
-    gl.useProgram(program);
-
     // Names that naga gives.
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "View_block_0Fragment"), 0);
+    gl.useProgram(program);
     gl.uniform1i(gl.getUniformLocation(program, "_group_0_binding_0_fs"), 0);
-    this.block = new ArrayBuffer(112);
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, gl.createBuffer());
-    gl.bufferData(gl.UNIFORM_BUFFER, this.block.byteLength, gl.DYNAMIC_DRAW);
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    return program;
   }
 
-  // Takes the bytes of a field, as they are.
-  load(bytes) {
+  // Takes the bytes of a field, as they are, and the code of its family.
+  load(bytes, family) {
     const gl = this.gl;
     const texels = Math.ceil(bytes.length / 16);
     const width = Math.min(texels, TEXELS_A_ROW);
     const height = Math.ceil(texels / width);
     if (height > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error("larger than a texture of this browser can be");
+    this.programs[family] ??= this.compile(family);
+    gl.useProgram(this.programs[family]);
     const padded = new Uint8Array(16 * width * height);
     padded.set(bytes);
     // Typed arrays have the byte order of the machine, and every machine with a browser is little-endian.

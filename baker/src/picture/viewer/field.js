@@ -13,6 +13,7 @@ function readField(bytes) {
   if (major !== 1 || minor > 0) throw new Error(`written as version ${major}.${minor}, of which this viewer knows nothing`);
   if (view.getUint32(12, true) !== bytes.length) throw new Error("cut off or followed by something");
   checkSections(bytes, view);
+  if (!FAMILIES[bytes[16]]) throw new Error("of a family that this viewer does not know");
 
   const floats = (at, count) => Array.from({ length: count }, (_, index) => view.getFloat32(at + 4 * index, true));
   const [diagonal, target, slope] = floats(48, 3);
@@ -22,7 +23,7 @@ function readField(bytes) {
     low: floats(24, 3),
     high: floats(36, 3),
     diagonal, target, slope, samples,
-    family: FAMILIES[bytes[16]] ?? "unknown",
+    family: bytes[16],
     sign: SIGNS[bytes[17]] ?? "unknown",
     uniform: floats(60, 3),
     band: floats(72, 3),

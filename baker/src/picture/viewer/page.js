@@ -32,7 +32,7 @@ function table(name, rows) {
 function show(bytes, name) {
   try {
     const read = readField(bytes);
-    painter.load(bytes);
+    painter.load(bytes, read.family);
     field = read;
   } catch (error) {
     tell(`${name}: ${error.message}`);
@@ -48,7 +48,7 @@ function show(bytes, name) {
   ]);
   const share = field.diagonal > 0 ? ` = ${short(100 * field.target / field.diagonal)} % of the diagonal` : "";
   table("facts", [
-    ["family", field.family],
+    ["family", FAMILIES[field.family]],
     ["size", `${field.bytes.length.toLocaleString("en")} bytes`],
     ["target", field.target > 0 ? short(field.target) + share : "none"],
     ["diagonal of the mesh", short(field.diagonal)],
@@ -187,7 +187,11 @@ window.addEventListener("drop", async (event) => {
 });
 
 try {
-  painter = new Painter(canvas, element("vertex").textContent, element("fragment").textContent);
+  const fragments = { 1: "grid", 2: "octree", 3: "polynomial" };
+  for (const family in fragments) fragments[family] = element(`fragment-${fragments[family]}`).textContent;
+  painter = new Painter(canvas, element("vertex").textContent, fragments);
+  // On a small screen the picture comes first.
+  if (window.innerWidth < 600) element("toggle").click();
   show(bytesOf(element("field").textContent), settings.name);
   window.addEventListener("resize", resize);
   resize();
