@@ -81,6 +81,16 @@ MAX_ORDER = 3
 MIN_RESOLUTION = 2
 BRICK_EDGE = 4
 MAX_ANISOTROPY = 1024
+MAX_SHAPE_BITS = 10
+MIN_OVERLAP = 2.0**-6
+MAX_OVERLAP = 2.0**-2
+MAX_DEGREE = 3
+MAX_EXPONENT = 15
+MAX_CONSTANT_BITS = 24
+MAX_COEFFICIENT_BITS = 16
+MAX_LEVELS_APART = 5
+MAX_LENGTH = 40
+PADDING = 72
 LARGEST = F32(3.4028234663852886e38)
 NAN = float("nan")
 
@@ -803,7 +813,270 @@ def hermite_quintic(t):
     return values, slopes
 
 
-FAMILIES = {1: Grid, 2: Octree}
+# ---- §12 Polynomial octrees ------------------------------------------------------------------------------------------
+
+SINGLE, MIN, MAX = 0, 1, 2
+
+# §12.5: the degrees in x, y and z of the terms, by total degree.
+TERMS = [
+    [(0, 0, 0)],
+    [(1, 0, 0), (0, 1, 0), (0, 0, 1)],
+    [(2, 0, 0), (0, 2, 0), (0, 0, 2), (1, 1, 0), (0, 1, 1), (1, 0, 1)],
+    [(3, 0, 0), (0, 3, 0), (0, 0, 3), (2, 1, 0), (0, 2, 1), (1, 0, 2), (2, 0, 1), (1, 2, 0), (0, 1, 2), (1, 1, 1)],
+]
+
+# The Legendre polynomials of degree 0 to 3, and their derivatives.
+LEGENDRE = [
+    (lambda t: 1.0, lambda t: 0.0),
+    (lambda t: t, lambda t: 1.0),
+    (lambda t: 0.5 * (3 * t * t - 1), lambda t: 3 * t),
+    (lambda t: 0.5 * (5 * t * t * t - 3 * t), lambda t: 0.5 * (15 * t * t - 3)),
+]
+
+
+class Shape:
+    """§12.4."""
+
+    def __init__(self, data):
+        self.kind, *self.degrees, self.exponent = data[:4]
+        self.widths = data[4:]
+
+    def check(self):
+        require(self.kind in (SINGLE, MIN, MAX), "Shape")
+        require(max(self.degrees) <= MAX_DEGREE and self.exponent <= MAX_EXPONENT, "Shape")
+        require(self.kind != SINGLE or self.degrees[1] == 0, "Shape")
+        for degree, width in enumerate(self.widths):
+            most = MAX_COEFFICIENT_BITS if degree <= max(self.degrees) else 0
+            require(width <= (most if degree > 0 else MAX_CONSTANT_BITS), "Shape")
+
+    def polynomials(self):
+        """For each polynomial, the terms and widths of its coefficients, in order."""
+        degrees = self.degrees[:1] if self.kind == SINGLE else self.degrees
+        return [
+            [(term, self.widths[degree]) for degree in range(most + 1) for term in TERMS[degree]] for most in degrees
+        ]
+
+
+class Bits:
+    """§12.5: a string of bits."""
+
+    def __init__(self, data):
+        self.bits, self.length, self.at = int.from_bytes(data, "little"), 8 * len(data), 0
+
+    def take(self, width):
+        value = self.bits >> self.at & (1 << width) - 1
+        self.at += width
+        return value
+
+
+class PolynomialLeaf:
+    """A leaf where it lies, in finest cells. Everything is summed in wider numbers than §12.7 asks for."""
+
+    def __init__(self, octree, place, cell, edge):
+        self.cell, self.edge = cell, edge
+        bits = Bits(octree.leaves[place : place + PADDING])
+        number = bits.take(octree.shape_bits)
+        require(number < len(octree.shapes), "LeafShape")
+        shape = octree.shapes[number]
+        self.support, self.reach = (bits.take(2), bits.take(2)) if octree.overlap else (0, 0)
+        step = float(octree.quantum) * 2.0**shape.exponent
+        self.kind, self.polynomials = shape.kind, []
+        for terms in shape.polynomials():
+            codes = [(term, bits.take(width), width) for term, width in terms]
+            self.polynomials.append([(term, (code - (1 << width >> 1)) * step) for term, code, width in codes])
+        self.length = -(-bits.at // 8)
+        require(self.length <= MAX_LENGTH and place + self.length + PADDING <= len(octree.leaves), "LeafLength")
+        require(bits.take(8 * self.length - bits.at) == 0, "Reserved")
+
+    def touches(self, other):
+        return all(
+            self.cell[axis] <= other.cell[axis] + other.edge and other.cell[axis] <= self.cell[axis] + self.edge
+            for axis in AXES
+        )
+
+    def local(self, q):
+        return [2 * (float(q[axis]) - self.cell[axis]) / self.edge - 1 for axis in AXES]
+
+    def magnitude(self):
+        return sum(abs(number) for polynomial in self.polynomials for _, number in polynomial)
+
+    def answers(self, u):
+        """Value and derivatives of each polynomial, the one that the leaf chooses first."""
+        answers = [sum_of_products(polynomial, u) for polynomial in self.polynomials]
+        return sorted(answers, key=lambda answer: answer[0], reverse=self.kind == MAX)
+
+    def weight(self, u, overlap):
+        """§12.7: the weight, and its derivatives by u."""
+        delta = overlap * self.edge * 2.0**-self.support
+        s = [min(max(0.5 + (1 - abs(t)) * self.edge / (4 * delta), 0.0), 1.0) for t in u]
+        steps = [t * t * (3 - 2 * t) for t in s]
+        slopes = [-math.copysign(6 * s[axis] * (1 - s[axis]) * self.edge / (4 * delta), u[axis]) for axis in AXES]
+        return math.prod(steps), [slopes[axis] * steps[axis - 1] * steps[axis - 2] for axis in AXES]
+
+
+def sum_of_products(polynomial, u):
+    value, slopes = 0.0, [0.0] * 3
+    for degrees, number in polynomial:
+        values = [LEGENDRE[degrees[axis]][0](u[axis]) for axis in AXES]
+        rates = [LEGENDRE[degrees[axis]][1](u[axis]) for axis in AXES]
+        value += number * math.prod(values)
+        for axis in AXES:
+            slopes[axis] += number * rates[axis] * values[axis - 1] * values[axis - 2]
+    return value, slopes
+
+
+class PolynomialOctree(Field):
+    """The family of polynomial octrees, §12. It knows all leaves once it is validated."""
+
+    distance_tolerance, gradient_tolerance = 2.0**-16, 2.0**-14
+
+    def __init__(self, sections, box_min, box_max):
+        for kind in (b"PTRE", b"ROOT", b"SHPE", b"TREE", b"LEAF"):
+            require(kind in sections, "SectionMissing")
+        self.sections, self.box_min, self.box_max = sections, box_min, box_max
+        parameters, checksum = sections[b"PTRE"]
+        require(len(parameters) == 28, "OctreeLength")
+        require(crc32c(parameters) == checksum, "SectionChecksum")
+
+        *self.root_cells, self.depth, self.shape_bits, continuity = struct.unpack_from("<3H3B", parameters)
+        *numbers, self.leaf_count = struct.unpack_from("<fffI", parameters, 12)
+        self.root_edge, self.quantum, self.overlap = map(F32, numbers)
+        require(not any(parameters[9:12]), "Reserved")
+        require(self.depth <= MAX_DEPTH, "OctreeLattice")
+        require(all(1 <= n <= MAX_LATTICE >> self.depth for n in self.root_cells), "OctreeLattice")
+        require(MIN_ROOT_EDGE <= self.root_edge <= MAX_MAGNITUDE, "OctreeScale")
+        require(MIN_QUANTUM <= self.quantum <= self.root_edge, "OctreeScale")
+        self.roots, self.leaves = words(sections[b"ROOT"][0]), sections[b"LEAF"][0]
+        require(len(self.roots) >= math.prod(self.root_cells), "NodeLength")
+        self.check_box(self.root_cells, [self.root_edge] * 3, "OctreeBounds")
+        require(1 <= self.shape_bits <= MAX_SHAPE_BITS, "ShapeBits")
+        require(self.overlap == 0 or MIN_OVERLAP <= self.overlap <= MAX_OVERLAP, "Overlap")
+        require(continuity == (0 if self.overlap == 0 else 2), "Continuity")
+        self.overlap = float(self.overlap)
+
+    # ---- §12.2 to §12.6: validation ----
+
+    def validate(self):
+        self.check_checksums()
+        self.read_shapes()
+        self.read_tree()
+        if self.overlap:
+            self.check_overlap()
+
+    def read_shapes(self):
+        data = self.sections[b"SHPE"][0]
+        require(len(data) % 8 == 0 and len(data) // 8 <= 1 << self.shape_bits, "ShapeOrder")
+        shapes = [data[at : at + 8] for at in range(0, len(data), 8)]
+        require(all(a < b for a, b in zip(shapes, shapes[1:])), "ShapeOrder")
+        self.shapes = [Shape(shape) for shape in shapes]
+        for shape in self.shapes:
+            shape.check()
+
+    def read_tree(self):
+        """§12.3: everything in the order of the file."""
+        edge = 1 << self.depth
+        require(len(self.roots) == math.prod(self.root_cells), "RootLength")
+        nodes, self.all_leaves, self.next_place = [], [], 0
+        for number, word in enumerate(self.roots):
+            x, yz = number % self.root_cells[0], number // self.root_cells[0]
+            cell = [part * edge for part in (x, yz % self.root_cells[1], yz // self.root_cells[1])]
+            self.read_node(word >> 31 == 0, word & 0x7FFFFFFF, cell, edge, nodes)
+
+        records = self.sections[b"TREE"][0]
+        count = len(records) // 14
+        for number in range(count):
+            require(number < len(nodes), "RecordOrder")
+            cell, edge = nodes[number]
+            record = records[14 * number : 14 * number + 14]
+            inner, first = record[0], int.from_bytes(record[8:], "little")
+            child, leaf = first & (1 << 21) - 1, first >> 21
+            require(child == len(nodes), "RecordOrder")
+            require(leaf == self.next_place, "LeafOrder")
+            half = edge // 2
+            for octant in range(8):
+                start = record[octant] if octant else 0
+                is_inner = inner >> octant & 1 == 1
+                corner = [cell[axis] + (octant >> axis & 1) * half for axis in AXES]
+                self.read_node(is_inner, (child if is_inner else leaf) + start, corner, half, nodes)
+        require(len(nodes) == count, "RecordOrder")
+        require(not any(records[14 * count :]), "Reserved")
+        require(len(self.leaves) == (self.next_place + PADDING + 3) // 4 * 4, "LeafLength")
+        require(not any(self.leaves[self.next_place :]), "Reserved")
+        require(len(self.all_leaves) == self.leaf_count, "LeafCount")
+
+    def read_node(self, is_inner, number, cell, edge, nodes):
+        if is_inner:
+            require(edge > 1, "NodeDepth")
+            require(number == len(nodes), "RecordOrder")
+            nodes.append((cell, edge))
+        else:
+            require(number == self.next_place, "LeafOrder")
+            self.all_leaves.append(PolynomialLeaf(self, number, cell, edge))
+            self.next_place += self.all_leaves[-1].length
+
+    def check_overlap(self):
+        """§12.6."""
+        for leaf in self.all_leaves:
+            others = [other for other in self.all_leaves if other is not leaf and leaf.touches(other)]
+            finest = min((other.edge for other in others), default=leaf.edge)
+            require(leaf.edge <= finest << MAX_LEVELS_APART, "LevelsApart")
+            apart = max(leaf.edge // finest, 1).bit_length() - 1
+            require(leaf.support == min(apart, 3), "OverlapCodes")
+            greatest = max((other.edge * 2.0**-other.support for other in others), default=0.0)
+            reach = max(k if greatest <= leaf.edge * 2.0 ** (1 - k) else 0 for k in (0, 1, 2, 3))
+            require(leaf.reach == reach, "OverlapCodes")
+
+    # ---- §12.7 Queries ----
+
+    def position(self, c):
+        """§9.2."""
+        scale = F32(2**self.depth) / self.root_edge
+        n = [cells << self.depth for cells in self.root_cells]
+        return [min((c[axis] - self.box_min[axis]) * scale, F32(n[axis])) for axis in AXES], n
+
+    def weighted(self, c):
+        """The leaves that have a say, each with local coordinates, weight and the derivatives of the weight."""
+        q, n = self.position(c)
+        found = []
+        if self.overlap:
+            for leaf in self.all_leaves:
+                u = leaf.local(q)
+                weight, slopes = leaf.weight(u, self.overlap)
+                if weight > 0:
+                    found.append((leaf, u, weight, slopes))
+        else:
+            i = [min(math.floor(q[axis]), n[axis] - 1) for axis in AXES]
+            for leaf in self.all_leaves:
+                if all(leaf.cell[axis] <= i[axis] < leaf.cell[axis] + leaf.edge for axis in AXES):
+                    found.append((leaf, leaf.local(q), 1.0, [0.0] * 3))
+        return found
+
+    def inside(self, c):
+        total, value, weight_slopes, sums = 0.0, 0.0, [0.0] * 3, [0.0] * 3
+        for leaf, u, weight, slopes in self.weighted(c):
+            f, rates = leaf.answers(u)[0]
+            total, value = total + weight, value + weight * f
+            for axis in AXES:
+                weight_slopes[axis] += slopes[axis] / leaf.edge
+                sums[axis] += (weight * rates[axis] + slopes[axis] * f) / leaf.edge
+        value /= total
+        per_unit = 2.0 ** (self.depth + 1) / float(self.root_edge)
+        gradient = [(sums[axis] - value * weight_slopes[axis]) / total * per_unit for axis in AXES]
+        return F32(value), [F32(part) for part in gradient]
+
+    def magnitude_at(self, c):
+        """M and E of §12.7; where a reader may take the gradient of either polynomial, an E of next to nothing."""
+        found = self.weighted(c)
+        largest = max(leaf.magnitude() for leaf, *_ in found)
+        for leaf, u, *_ in found:
+            answers = leaf.answers(u)
+            if abs(answers[0][0] - answers[-1][0]) <= 2 * self.distance_tolerance * largest and len(answers) > 1:
+                return largest, 2.0**-100
+        edges = [leaf.edge * (self.overlap * 2.0**-leaf.support if self.overlap else 1) for leaf, *_ in found]
+        return largest, min(edges) * float(self.root_edge) * 2.0**-self.depth
+
+
+FAMILIES = {1: Grid, 2: Octree, 3: PolynomialOctree}
 
 # ---- The command line ------------------------------------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
 
 /// The error of a field is what was asked for, and what its header says.
 mod accuracy;
+/// Whatever the bytes and the points, answers are numbers, and every door gives the same.
+mod any_bytes;
 /// Data flows one way through the baker, and the reader stands alone.
 mod architecture;
 /// The reader accepts what the specification says, answers it so, and refuses the rest by name.

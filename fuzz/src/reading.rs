@@ -1,7 +1,7 @@
 //! No bytes and no point hurt the reader.
 
 use crate::structure::repair;
-use nearfield::Field;
+use nearfield::{Cursor, Field, Leaf};
 
 /// Leaves to look at: a damaged tree may have more than anyone can wait for.
 const MOST_LEAVES: usize = 200;
@@ -20,11 +20,13 @@ pub fn structure_aware(bytes: &[u8]) {
     if let Ok(field) = Field::open(bytes) {
         let is_valid = field.validate().is_ok();
         let leaves = query(&field, bytes);
-        if let Some(octree) = field.octree()
+        let octree = field.octree().map(|octree| octree.leaf_count());
+        let polynomials = field.polynomial_octree().map(|octree| octree.leaf_count());
+        if let Some(leaf_count) = octree.or(polynomials)
             && is_valid
             && leaves < MOST_LEAVES
         {
-            assert_eq!(leaves, octree.leaf_count() as usize, "leaves of a valid tree");
+            assert_eq!(leaves, leaf_count as usize, "leaves of a valid tree");
         }
     }
 }
@@ -48,18 +50,25 @@ pub fn validate_then_query(bytes: &[u8]) {
         assert_eq!(gradient_alone.map(f32::to_bits), gradient.map(f32::to_bits), "at {point:?}");
     }
 
-    let Some(octree) = field.octree() else { return };
-    let lattice = octree.lattice();
-    for leaf in octree.leaves().take(MOST_LEAVES) {
+    let check = |leaf: Leaf, found: Leaf, lattice: [u32; 3]| {
         assert!((0..3).all(|axis| leaf.cell[axis] + leaf.edge <= lattice[axis]), "{leaf:?} exceeds {lattice:?}");
-        assert_eq!(octree.leaf_at(leaf.cell), leaf);
+        assert_eq!(found, leaf);
+    };
+    if let Some(octree) = field.octree() {
+        let leaves = octree.leaves().take(MOST_LEAVES);
+        leaves.for_each(|leaf| check(leaf, octree.leaf_at(leaf.cell), octree.lattice()));
+    }
+    if let Some(octree) = field.polynomial_octree() {
+        let leaves = octree.leaves().take(MOST_LEAVES);
+        leaves.for_each(|leaf| check(leaf, octree.leaf_at(leaf.cell), octree.lattice()));
     }
 }
 
 /// Queries at many points; answers the number of leaves that it looked at.
 fn query(field: &Field<'_>, bytes: &[u8]) -> usize {
+    let mut cursor = field.cursor();
     for point in points(field, bytes) {
-        check(field, point);
+        check(field, &mut cursor, point);
     }
     if let Some(grid) = field.grid() {
         let last = grid.resolution().map(|samples| samples - 2);
@@ -68,12 +77,15 @@ fn query(field: &Field<'_>, bytes: &[u8]) -> usize {
             assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()), "{cell:?}");
         }
     }
-    let Some(octree) = field.octree() else { return 0 };
-    let finite = |leaf| {
-        let (distance, gradient) = octree.evaluate(&leaf, [0.0, 0.5, 1.0]);
-        assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()), "{leaf:?}");
+    let finite = |(distance, gradient): (f32, [f32; 3])| {
+        assert!(distance.is_finite() && gradient.iter().all(|component| component.is_finite()), "{distance}");
     };
-    octree.leaves().take(MOST_LEAVES).map(finite).count()
+    let inside = [0.0, 0.5, 1.0];
+    let octree = field.octree().into_iter();
+    let leaves = octree.flat_map(|octree| octree.leaves().take(MOST_LEAVES).map(move |leaf| octree.evaluate(&leaf, inside)));
+    let polynomials = field.polynomial_octree().into_iter();
+    let others = polynomials.flat_map(|octree| octree.leaves().take(MOST_LEAVES).map(move |leaf| octree.evaluate(&leaf, inside)));
+    leaves.chain(others).map(finite).count()
 }
 
 /// Points from the last words of a file: as they are, and scaled into the box.
@@ -91,8 +103,9 @@ fn points(field: &Field<'_>, bytes: &[u8]) -> impl Iterator<Item = [f32; 3]> {
     wild.into_iter().flat_map(move |point| [point, within(point)])
 }
 
-fn check(field: &Field<'_>, point: [f32; 3]) {
+fn check(field: &Field<'_>, cursor: &mut Cursor<'_>, point: [f32; 3]) {
     let (distance, gradient) = field.distance_and_gradient(point);
+    assert_eq!(distance.to_bits(), cursor.distance(point).to_bits(), "at {point:?}");
     assert_eq!(distance.to_bits(), field.distance(point).to_bits(), "at {point:?}");
     if point.iter().all(|coordinate| coordinate.is_finite()) {
         assert!(distance.is_finite(), "{distance} at {point:?}");

@@ -1,14 +1,15 @@
 //! Queries that remember a leaf.
 
-use crate::field::Field;
+use crate::field::{Field, Shape};
 use crate::hermite::Jets;
 use crate::lattice::Leaf;
 use crate::octree::Octree;
+use crate::polynomial_octree::Visit;
 
 /// Answers queries that are near one another: a ray's steps, a particle's path, the points of a row.
 ///
-/// It keeps the corners of the octree leaf of the last query, and a query in the same leaf skips the tree and the decoding.
-/// A grid has nothing to skip. Every answer has the bits that the field alone would give. Some 500 bytes; make one for
+/// It keeps what is in the leaf of the last query, and a query in the same leaf skips the tree and the decoding.
+/// A grid has nothing to skip. Every answer has the bits that the field alone would give. Some 900 bytes; make one for
 /// each thread.
 ///
 /// ```
@@ -22,21 +23,23 @@ pub struct Cursor<'a> {
     field: Field<'a>,
     leaf: Option<Leaf>,
     jets: Jets,
+    visit: Visit,
 }
 
 impl<'a> Cursor<'a> {
     pub(crate) fn new(field: Field<'a>) -> Self {
-        Self { field, leaf: None, jets: Jets::default() }
+        Self { field, leaf: None, jets: Jets::default(), visit: Visit::default() }
     }
 
     /// [`Field::distance`], to the bit.
     #[inline]
     pub fn distance(&mut self, point: [f32; 3]) -> f32 {
-        match self.field.octree_in_place() {
-            Some(octree) if octree.lattice.contains(point) => {
+        match self.field.shape() {
+            Shape::Octree(octree) if octree.lattice.contains(point) => {
                 let (_, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.value_between(&self.jets, local)
             }
+            Shape::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit).0,
             _ => self.field.distance(point),
         }
     }
@@ -44,11 +47,12 @@ impl<'a> Cursor<'a> {
     /// [`Field::distance_and_gradient`], to the bit.
     #[inline]
     pub fn distance_and_gradient(&mut self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        match self.field.octree_in_place() {
-            Some(octree) if octree.lattice.contains(point) => {
+        match self.field.shape() {
+            Shape::Octree(octree) if octree.lattice.contains(point) => {
                 let (leaf, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.evaluate_between(&leaf, &self.jets, local)
             }
+            Shape::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit),
             _ => self.field.distance_and_gradient(point),
         }
     }
@@ -61,7 +65,7 @@ fn move_to(octree: &Octree<'_>, point: [f32; 3], last: &mut Option<Leaf>, jets: 
     let leaf = match *last {
         Some(leaf) if octree.lattice.holds(&leaf, position) => leaf,
         _ => {
-            let leaf = octree.leaf_at(position.map(|cells| cells as u32));
+            let leaf = octree.leaf_in(octree.lattice.cell_of(position));
             octree.read_corners(&leaf, jets);
             *last = Some(leaf);
             leaf

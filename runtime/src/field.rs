@@ -20,7 +20,7 @@ pub struct Field<'a> {
 
 /// What a field's family makes of its sections.
 #[derive(Clone, Copy, Debug)]
-enum Shape<'a> {
+pub(crate) enum Shape<'a> {
     Grid(Grid<'a>),
     Octree(Octree<'a>),
     Polynomial(PolynomialOctree<'a>),
@@ -175,13 +175,10 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// The octree where it lies.
+    /// The field where it lies.
     #[inline]
-    pub(crate) fn octree_in_place(&self) -> Option<&Octree<'a>> {
-        match &self.shape {
-            Shape::Octree(octree) => Some(octree),
-            _ => None,
-        }
+    pub(crate) fn shape(&self) -> &Shape<'a> {
+        &self.shape
     }
 
     /// The octree of polynomials, for those who walk its leaves; `None` for another family.

@@ -217,14 +217,19 @@ impl<'a> Grid<'a> {
 
     /// Base distance of the sample at a vertex, in quanta.
     #[inline]
-    pub(crate) fn base(&self, [x, y, z]: [u32; 3]) -> i32 {
-        if !self.has_bricks {
-            return self.bases.word(0).cast_signed();
-        }
-        let [nx, ny, _] = self.bricks();
-        let edge = at::BRICK_EDGE;
-        let brick = (x / edge) as usize + nx as usize * ((y / edge) as usize + ny as usize * (z / edge) as usize);
+    pub(crate) fn base(&self, vertex: [u32; 3]) -> i32 {
+        let brick = if self.has_bricks { self.bricks_of(vertex).0 } else { 0 };
         self.bases.word(brick).cast_signed()
+    }
+
+    /// Number of the brick of a vertex, and the steps to those of the next vertices along x, y and z.
+    #[inline]
+    pub(crate) fn bricks_of(&self, vertex: [u32; 3]) -> (usize, [usize; 3]) {
+        let [nx, ny, _] = self.bricks().map(|bricks| bricks as usize);
+        let edge = at::BRICK_EDGE;
+        let [x, y, z] = vertex.map(|at| (at / edge) as usize);
+        let [step_x, step_y, step_z] = vertex.map(|at| usize::from(at % edge == edge - 1));
+        (x + nx * (y + ny * z), [step_x, nx * step_y, nx * ny * step_z])
     }
 
     /// Number of the sample at a vertex, x fastest.

@@ -17,6 +17,8 @@ pub(crate) struct FirstOrder {
 }
 
 impl FirstOrder {
+    pub(crate) const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
+
     /// The same with mixed derivatives of zero.
     #[inline]
     pub(crate) fn jets(&self) -> Jets {
@@ -30,6 +32,22 @@ impl FirstOrder {
     }
 }
 
+/// Decodes packed samples; `scale` holds the spacings and the distance quantum. One plain loop that ends in memory, which
+/// compilers turn into vectors where they do not inline it.
+#[inline(never)]
+fn decode_packed(words: &[u32; 8], bases: &[i32; 8], scale: &[f32; 4], corners: &mut FirstOrder) {
+    let [scale_x, scale_y, scale_z, quantum] = *scale;
+    let [by_x, by_y, by_z] = &mut corners.gradient;
+    for corner in 0..8 {
+        let word = words[corner];
+        corners.distance[corner] = decode_distance(bases[corner], word >> packed_sample::DISTANCE_SHIFT, quantum);
+        let [x, y, z] = decode_gradient(word);
+        by_x[corner] = x * scale_x;
+        by_y[corner] = y * scale_y;
+        by_z[corner] = z * scale_z;
+    }
+}
+
 impl Grid<'_> {
     /// The vertex at corner `4 x + 2 y + z` of a cell.
     #[inline]
@@ -40,6 +58,15 @@ impl Grid<'_> {
     /// The distances at the corners of a cell of a grid of order 0.
     #[inline]
     pub(crate) fn distances(&self, cell: [u32; 3]) -> Corners {
+        if self.precision == GridPrecision::F32 {
+            return self.corner_words(cell).map(decode_single);
+        }
+        self.packed_distances(cell)
+    }
+
+    /// The same of 16-bit codes.
+    #[inline(never)]
+    fn packed_distances(&self, cell: [u32; 3]) -> Corners {
         [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
             let at = Self::corner(cell, corner);
             self.lone_distance(at)
@@ -57,13 +84,20 @@ impl Grid<'_> {
         decode_distance(self.base(at), code, self.quantum)
     }
 
-    /// The samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
+    /// Writes the samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
     #[inline]
-    pub(crate) fn first_order(&self, cell: [u32; 3]) -> FirstOrder {
+    pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
-            return self.packed_first_order(cell);
+            let [x, y, z] = self.spacing();
+            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], corners);
+        } else {
+            self.read_wide_first_order(cell, corners);
         }
-        let mut corners = FirstOrder { distance: Corners::default(), gradient: [Corners::default(); 3] };
+    }
+
+    /// The same of samples of several words.
+    #[inline(never)]
+    fn read_wide_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         for corner in 0..8 {
             let Polynomial([distance, x, y, z, ..]) = self.polynomial(Self::corner(cell, corner));
             // The mask shows the compiler that no index can fail.
@@ -73,41 +107,31 @@ impl Grid<'_> {
             corners.gradient[1][corner] = y;
             corners.gradient[2][corner] = z;
         }
-        corners
     }
 
-    /// The same of packed samples: one plain loop over words, which compilers turn into vectors.
+    /// The words at the corners of a cell, of samples of one word each.
     #[inline]
-    fn packed_first_order(&self, cell: [u32; 3]) -> FirstOrder {
+    fn corner_words(&self, cell: [u32; 3]) -> [u32; 8] {
         let [nx, ny, _] = self.resolution();
         let (row, layer) = (nx as usize, nx as usize * ny as usize);
         let first = self.index(cell);
-        // Corners 4 x + 2 y + z: neighbours along x are neighbours in the section.
+        // Neighbours along x are neighbours in the section.
         let [a, e] = self.samples.words(first);
         let [c, g] = self.samples.words(first + row);
         let [b, f] = self.samples.words(first + layer);
         let [d, h] = self.samples.words(first + layer + row);
-        let words: [u32; 8] = [a, b, c, d, e, f, g, h];
-        let bases = self.bases_of(cell);
-
-        let mut distance = Corners::default();
-        let mut gradient = [Corners::default(); 3];
-        let [scale_x, scale_y, scale_z] = self.spacing();
-        for (corner, (&word, &base)) in words.iter().zip(&bases).enumerate() {
-            let code = word >> packed_sample::DISTANCE_SHIFT;
-            distance[corner] = decode_distance(base, code, self.quantum);
-            let [x, y, z] = decode_gradient(word);
-            gradient[0][corner] = x * scale_x;
-            gradient[1][corner] = y * scale_y;
-            gradient[2][corner] = z * scale_z;
-        }
-        FirstOrder { distance, gradient }
+        [a, b, c, d, e, f, g, h]
     }
 
     /// The base distances at the corners of a cell.
     #[inline]
-    fn bases_of(&self, cell: [u32; 3]) -> [i32; 8] {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.base(Self::corner(cell, corner)))
+    fn corner_bases(&self, cell: [u32; 3]) -> [i32; 8] {
+        if !self.has_brick_ranges() {
+            return [self.base([0; 3]); 8];
+        }
+        let (first, [x, y, z]) = self.bricks_of(cell);
+        [first, first + z, first + y, first + y + z, first + x, first + x + z, first + x + y, first + x + y + z]
+            .map(|brick| self.bases.word(brick).cast_signed())
     }
 
     /// The samples at the corners of a cell, of any order.

@@ -126,7 +126,7 @@ pub(crate) fn tricubic_and_derivatives(jets: &Jets, [x, y, z]: [f32; 3]) -> (f32
 
 /// Weighted sum of two ends.
 #[inline]
-fn mix(weights: [f32; 2], ends: [f32; 2]) -> f32 {
+pub(crate) fn mix(weights: [f32; 2], ends: [f32; 2]) -> f32 {
     ends[0] * weights[0] + ends[1] * weights[1]
 }
 

@@ -20,17 +20,19 @@ pub struct Leaf {
     pub(crate) octant: u32,
 }
 
+/// Coordinates along x, y and z and a zero: four lanes, for the sake of vectors.
+pub(crate) type Position = [f32; 4];
+
 /// A root grid of cubes, each divided into finest cells.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lattice {
-    pub(crate) bounds: Aabb,
+    min: Position,
+    max: Position,
+    /// Finest cells along each axis, and 1: the last lane has a cell too, and that is 0.
+    extent: Position,
     /// Finest cells per mesh unit.
     cells_per_unit: f32,
     pub(crate) root_cells: [u32; 3],
-    /// Finest cells along each axis.
-    pub(crate) cells: [u32; 3],
-    /// The same as numbers.
-    extent: [f32; 3],
     /// Levels below the root grid.
     pub(crate) depth: u8,
     /// Edge of a root cell, mesh units.
@@ -48,20 +50,33 @@ impl Lattice {
         if !(limit::MIN_ROOT_EDGE..=limit::MAX_MAGNITUDE).contains(&root_edge) {
             return Err(Error::OctreeScale);
         }
+        let [x, y, z] = root_cells.map(|cells| (cells << depth) as f32);
         Ok(Self {
-            bounds,
+            min: padded(bounds.min),
+            max: padded(bounds.max),
+            extent: [x, y, z, 1.0],
             cells_per_unit: (1_u32 << depth) as f32 / root_edge,
             root_cells,
-            cells: root_cells.map(|cells| cells << depth),
-            extent: root_cells.map(|cells| (cells << depth) as f32),
             depth,
             root_edge,
         })
     }
 
+    /// The box that the root grid fills.
+    pub(crate) fn bounds(&self) -> Aabb {
+        let [min, max] = [self.min, self.max].map(|[x, y, z, _]| [x, y, z]);
+        Aabb { min, max }
+    }
+
+    /// Finest cells along each axis.
+    #[inline]
+    pub(crate) fn cells(&self) -> [u32; 3] {
+        self.root_cells.map(|cells| cells << self.depth)
+    }
+
     /// Checks that the box is the root grid (SPEC.md §5.4).
     pub(crate) fn check_bounds(&self) -> Result<(), Error> {
-        let Aabb { min, max } = self.bounds;
+        let Aabb { min, max } = self.bounds();
         for ((min, max), cells) in min.into_iter().zip(max).zip(self.root_cells) {
             let extent = cells as f32 * self.root_edge;
             let largest = extent.max(min.abs()).max(max.abs());
@@ -83,13 +98,22 @@ impl Lattice {
         self.root_edge * math::power_of_half(level)
     }
 
+    /// Halves of the edge of a cell in a mesh unit. The edge is 2^`shift` finest cells.
+    #[inline]
+    pub(crate) fn per_half(&self, shift: u32) -> f32 {
+        self.cells_per_unit * f32::from_bits((128 - shift) << 23)
+    }
+
     /// Whether a point lies in the box, faces included. False for a NaN.
     #[inline]
     pub(crate) fn contains(&self, point: [f32; 3]) -> bool {
-        let Aabb { min, max } = &self.bounds;
-        let [x, y, z] = point;
         // Not short-circuited: one branch that is well predicted beats six.
-        (x >= min[0]) & (x <= max[0]) & (y >= min[1]) & (y <= max[1]) & (z >= min[2]) & (z <= max[2])
+        let point = padded(point);
+        let mut is_outside = false;
+        for (lane, &part) in point.iter().enumerate() {
+            is_outside |= !((part >= self.min[lane]) & (part <= self.max[lane]));
+        }
+        !is_outside
     }
 
     /// A point of the box in finest cells from the least corner of the box.
@@ -97,19 +121,56 @@ impl Lattice {
     /// Only the subtraction and the product round: the cell and the local coordinates follow from the
     /// product exactly.
     #[inline]
-    pub(crate) fn position(&self, point: [f32; 3]) -> [f32; 3] {
-        [0, 1, 2].map(|axis: usize| {
-            let cells = (point[axis] - self.bounds.min[axis]) * self.cells_per_unit;
-            let limit = self.extent[axis];
+    pub(crate) fn position(&self, point: [f32; 3]) -> Position {
+        let mut position = padded(point);
+        for (lane, part) in position.iter_mut().enumerate() {
+            let cells = (*part - self.min[lane]) * self.cells_per_unit;
+            let limit = self.extent[lane];
             // Never a NaN: one comparison does.
-            if cells < limit { cells } else { limit }
-        })
+            *part = if cells < limit { cells } else { limit };
+        }
+        position
+    }
+
+    /// The finest cell of a position, the last for those on a greater face.
+    #[inline]
+    pub(crate) fn cell_of(&self, position: Position) -> [u32; 3] {
+        // Adding 2²³ rounds to an integer, and leaves it in the lowest bits.
+        const ROUNDING: f32 = (1 << 23) as f32;
+        let mut cell = [0; 4];
+        for (lane, &part) in position.iter().enumerate() {
+            let nearest = (part + ROUNDING) - ROUNDING;
+            let floor = if nearest > part { nearest - 1.0 } else { nearest };
+            let last = self.extent[lane] - 1.0;
+            let floor = if floor < last { floor } else { last };
+            cell[lane] = (floor + ROUNDING).to_bits() & ((1 << 23) - 1);
+        }
+        let [x, y, z, _] = cell;
+        [x, y, z]
+    }
+
+    /// [`position`](Self::position) and [`cell_of`](Self::cell_of), and a zero: apart and in memory, which makes four-wide code.
+    #[inline(never)]
+    pub(crate) fn locate(&self, point: &Position, position: &mut Position, cell: &mut [u32; 4]) {
+        const ROUNDING: f32 = (1 << 23) as f32;
+        for lane in 0..4 {
+            let cells = (point[lane] - self.min[lane]) * self.cells_per_unit;
+            let limit = self.extent[lane];
+            let part = if cells < limit { cells } else { limit };
+            position[lane] = part;
+            let nearest = (part + ROUNDING) - ROUNDING;
+            let floor = if nearest > part { nearest - 1.0 } else { nearest };
+            let last = limit - 1.0;
+            let floor = if floor < last { floor } else { last };
+            cell[lane] = (floor + ROUNDING).to_bits() & ((1 << 23) - 1);
+        }
     }
 
     /// The finest cell itself, or the nearest of the lattice.
     #[inline]
     pub(crate) fn clamp(&self, cell: [u32; 3]) -> [u32; 3] {
-        [0, 1, 2].map(|axis: usize| cell[axis].min(self.cells[axis] - 1))
+        let cells = self.cells();
+        [0, 1, 2].map(|axis: usize| cell[axis].min(cells[axis] - 1))
     }
 
     /// Number of the root cell that holds a finest cell of the lattice, x fastest.
@@ -122,19 +183,16 @@ impl Lattice {
 
     /// Local coordinates of a position, 0 to 1 within the leaf.
     #[inline]
-    pub(crate) fn local(&self, leaf: &Leaf, position: [f32; 3]) -> [f32; 3] {
+    pub(crate) fn local(&self, leaf: &Leaf, position: Position) -> [f32; 3] {
         let scale = math::power_of_half(self.depth.saturating_sub(leaf.level));
         [0, 1, 2].map(|axis: usize| (position[axis] - leaf.cell[axis] as f32) * scale)
     }
 
     /// Whether a leaf holds a position: whether a query there would find it.
     #[inline]
-    pub(crate) fn holds(&self, leaf: &Leaf, position: [f32; 3]) -> bool {
-        let is_in = [0, 1, 2].map(|axis: usize| {
-            let cell = (position[axis] as u32).min(self.cells[axis] - 1);
-            cell ^ leaf.cell[axis] < leaf.edge
-        });
-        is_in == [true; 3]
+    pub(crate) fn holds(&self, leaf: &Leaf, position: Position) -> bool {
+        let [x, y, z] = self.cell_of(position);
+        (x ^ leaf.cell[0]) | (y ^ leaf.cell[1]) | (z ^ leaf.cell[2]) < leaf.edge
     }
 
     /// Least corner of the leaf that follows, found by counting up in octal digits of octants: the root grid x fastest,
@@ -152,14 +210,20 @@ impl Lattice {
         }
 
         // The next root cell.
+        let cells = self.cells();
         let step = 1 << self.depth;
         x += step;
-        if x >= self.cells[0] {
+        if x >= cells[0] {
             (x, y) = (0, y + step);
         }
-        if y >= self.cells[1] {
+        if y >= cells[1] {
             (y, z) = (0, z + step);
         }
-        (z < self.cells[2]).then_some([x, y, z])
+        (z < cells[2]).then_some([x, y, z])
     }
+}
+
+#[inline]
+pub(crate) fn padded([x, y, z]: [f32; 3]) -> Position {
+    [x, y, z, 0.0]
 }

@@ -135,12 +135,12 @@ impl<'a> Octree<'a> {
 
     /// The box that the root grid fills.
     pub fn bounds(&self) -> Aabb {
-        self.lattice.bounds
+        self.lattice.bounds()
     }
 
     /// Finest cells along x, y, z, at most 2²⁰.
     pub fn lattice(&self) -> [u32; 3] {
-        self.lattice.cells
+        self.lattice.cells()
     }
 
     /// Words of the root grid: at most those of the node section.
@@ -156,7 +156,7 @@ impl<'a> Octree<'a> {
     #[inline]
     pub(crate) fn locate(&self, point: [f32; 3]) -> (Leaf, [f32; 3]) {
         let position = self.lattice.position(point);
-        let leaf = self.leaf_at(position.map(|cells| cells as u32));
+        let leaf = self.leaf_in(self.lattice.cell_of(position));
         (leaf, self.lattice.local(&leaf, position))
     }
 
@@ -168,7 +168,12 @@ impl<'a> Octree<'a> {
     /// The leaf that holds a finest cell; cells beyond the lattice count as its last.
     #[inline]
     pub fn leaf_at(&self, cell: [u32; 3]) -> Leaf {
-        let cell @ [x, y, z] = self.lattice.clamp(cell);
+        self.leaf_in(self.lattice.clamp(cell))
+    }
+
+    /// The leaf that holds a finest cell of the lattice.
+    #[inline]
+    pub(crate) fn leaf_in(&self, cell @ [x, y, z]: [u32; 3]) -> Leaf {
         let mut word = self.nodes.word(self.lattice.root_of(cell));
         let mut shift = u32::from(self.lattice.depth);
         let mut octant = 0;

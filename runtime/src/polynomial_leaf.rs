@@ -19,6 +19,13 @@ pub(crate) struct Bits<'a> {
     shape: Shape,
 }
 
+/// What a leaf says of its neighbours (SPEC.md §12.6).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct OverlapCodes {
+    pub(crate) support: u32,
+    pub(crate) reach: u32,
+}
+
 /// How a leaf is made: the bytes of SPEC.md §12.4.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shape(u64);
@@ -70,10 +77,11 @@ pub(crate) struct Polynomials {
 }
 
 impl Polynomials {
-    /// Value, mesh units, and derivatives by the local coordinates, -1 to 1 within the leaf.
+    /// Value, mesh units, and gradient at local coordinates, -1 to 1 within the leaf, of which `per_half` are a mesh unit.
     #[inline]
-    pub(crate) fn evaluate(&self, local: [f32; 3]) -> (f32, [f32; 3]) {
-        let basis = Basis::at(local);
+    pub(crate) fn evaluate(&self, local: &Lanes, per_half: f32) -> (f32, [f32; 3]) {
+        let mut basis = Basis::default();
+        basis.fill(local);
         let (mut value, mut slope) = self.first.evaluate(self.degrees[0], &basis);
         if self.kind != kind::SINGLE {
             let (other, other_slope) = self.second.evaluate(self.degrees[1], &basis);
@@ -82,7 +90,8 @@ impl Polynomials {
                 (value, slope) = (other, other_slope);
             }
         }
-        (value * self.step, slope.map(|part| part * self.step))
+        let per_unit = self.step * per_half;
+        (value * self.step, slope.map(|part| part * per_unit))
     }
 }
 
@@ -96,11 +105,11 @@ impl<'a> Bits<'a> {
         Self { window, head, shape: Shape::new(shape) }
     }
 
-    /// The support code and the reach code, if leaves overlap.
+    /// Its codes, if leaves overlap.
     #[inline]
-    pub(crate) fn overlap_codes(&self, octree: &PolynomialOctree<'_>) -> (u32, u32) {
+    pub(crate) fn overlap_codes(&self, octree: &PolynomialOctree<'_>) -> OverlapCodes {
         let codes = (self.head >> octree.shape_bits) as u32;
-        (codes & leaf::MAX_SUPPORT, codes >> leaf::SUPPORT_BITS & leaf::MAX_REACH)
+        OverlapCodes { support: codes & leaf::MAX_SUPPORT, reach: codes >> leaf::SUPPORT_BITS & leaf::MAX_REACH }
     }
 
     /// Number of the shape.
@@ -125,59 +134,78 @@ impl<'a> Bits<'a> {
         polynomials.degrees = [shape.degree(0), shape.degree(1)];
         polynomials.step = octree.quantum * shape.factor();
 
-        let constant = number((self.head >> octree.header_bits) as u32, shape.width(0));
-        let mut at = u32::from(octree.header_bits) + shape.width(0);
-        self.read(constant, shape.degree(0), &mut at, &mut polynomials.first);
+        let width = Width::new(shape.width(0));
+        let constant = width.number((self.head >> octree.header_bits) as u32);
+        let at = u32::from(octree.header_bits) + width.bits;
+        let at = self.read(constant, shape.degree(0), at, &mut polynomials.first);
         if !shape.is_single() {
-            let constant = number(load(self.window, at) as u32, shape.width(0));
-            at += shape.width(0);
-            self.read(constant, shape.degree(1), &mut at, &mut polynomials.second);
+            let constant = width.number(load(self.window, at) as u32);
+            self.read(constant, shape.degree(1), at + width.bits, &mut polynomials.second);
         }
     }
 
-    /// The coefficients of a polynomial from those of degree 1 on.
+    /// Writes the coefficients of a polynomial, of which those of degree 1 start at a bit; returns the bit after them.
     #[inline(never)]
-    fn read(&self, constant: f32, degree: u32, at: &mut u32, coefficients: &mut Coefficients) {
+    fn read(&self, constant: f32, degree: u32, at: u32, coefficients: &mut Coefficients) -> u32 {
+        coefficients.constant = constant;
         if degree == 0 {
-            coefficients.linear = [0.0, 0.0, 0.0, constant];
-            return;
+            return at;
         }
-        let width = self.shape.width(1);
-        coefficients.linear = self.three(at, width);
-        coefficients.linear[3] = constant;
-        if degree >= 2 {
-            let width = self.shape.width(2);
-            coefficients.square = self.three(at, width);
-            coefficients.cross = self.three(at, width);
+        let width = Width::new(self.shape.width(1));
+        width.three(load(self.window, at), &mut coefficients.linear);
+        let at = at + 3 * width.bits;
+        if degree == 1 {
+            return at;
         }
-        if degree >= 3 {
-            let width = self.shape.width(3);
-            coefficients.cube = self.three(at, width);
-            coefficients.next = self.three(at, width);
-            coefficients.previous = self.three(at, width);
-            coefficients.cube[3] = number(load(self.window, *at) as u32, width);
-            *at += width;
-        }
-    }
 
-    /// Three coefficients of a width.
-    #[inline]
-    fn three(&self, at: &mut u32, width: u32) -> Lanes {
-        let bits = load(self.window, *at);
-        *at += 3 * width;
-        let mask = (1 << width) - 1;
-        let codes = [bits as u32, (bits >> width) as u32, (bits >> width >> width) as u32, 0];
-        let half = (1 << width) >> 1;
-        let [x, y, z, _] = codes.map(|code| ((code & mask) as i32 - half) as f32);
-        [x, y, z, 0.0]
+        let width = Width::new(self.shape.width(2));
+        let step = 3 * width.bits;
+        width.three(load(self.window, at), &mut coefficients.square);
+        width.three(load(self.window, at + step), &mut coefficients.cross);
+        let at = at + 2 * step;
+        if degree == 2 {
+            return at;
+        }
+
+        let width = Width::new(self.shape.width(3));
+        let step = 3 * width.bits;
+        width.three(load(self.window, at), &mut coefficients.cube);
+        width.three(load(self.window, at + step), &mut coefficients.next);
+        width.three(load(self.window, at + 2 * step), &mut coefficients.previous);
+        coefficients.product = width.number(load(self.window, at + 3 * step) as u32);
+        at + 3 * step + width.bits
     }
 }
 
-/// The number of a code in the lowest bits of a word.
-#[inline]
-fn number(bits: u32, width: u32) -> f32 {
-    let code = (bits & ((1 << width) - 1)) as i32;
-    (code - ((1_u32 << width) >> 1) as i32) as f32
+/// How many bits the coefficients of a degree have.
+#[derive(Clone, Copy)]
+struct Width {
+    bits: u32,
+    mask: u32,
+    /// The code of 0.
+    half: i32,
+}
+
+impl Width {
+    #[inline]
+    fn new(bits: u32) -> Self {
+        Self { bits, mask: (1 << bits) - 1, half: (1_u32 << bits >> 1).cast_signed() }
+    }
+
+    /// The number whose code is in the lowest bits.
+    #[inline]
+    fn number(self, bits: u32) -> f32 {
+        ((bits & self.mask).cast_signed() - self.half) as f32
+    }
+
+    /// Three numbers whose codes are in the lowest bits. The last lane is not of use: four alike make better code.
+    #[inline]
+    fn three(self, bits: u64, numbers: &mut Lanes) {
+        let (second, third) = ((bits >> self.bits) as u32, (bits >> self.bits >> self.bits) as u32);
+        for (code, number) in [bits as u32, second, third, third].into_iter().zip(numbers) {
+            *number = ((code & self.mask).cast_signed() - self.half) as f32;
+        }
+    }
 }
 
 /// At least 57 bits from a bit on.

@@ -4,10 +4,11 @@ use crate::blend;
 use crate::bytes::{Words, f32_at, u8_at, u16x3_at, u32_at};
 use crate::error::Error;
 use crate::header::Aabb;
-use crate::lattice::{Lattice, Leaf};
-use crate::layout::{continuity, leaf, limit, polynomial as at, record, root_word, section, shape};
+use crate::lattice::{Lattice, Leaf, Position, padded};
+use crate::layout::{continuity, leaf, limit, octree, polynomial as at, record, root_word, section, shape};
+use crate::legendre::Lanes;
 use crate::octree::Continuity;
-use crate::polynomial_leaf::{Bits, Polynomials};
+use crate::polynomial_leaf::{Bits, OverlapCodes, Polynomials};
 use crate::section as sections;
 
 /// An octree whose leaves are polynomials, blended where they overlap.
@@ -21,6 +22,8 @@ pub struct PolynomialOctree<'a> {
     /// Step of coefficients of exponent 0, mesh units.
     pub(crate) quantum: f32,
     overlap: f32,
+    /// Half the edge of a leaf over twice the distance by which it reaches beyond its cell, if its support code is 0.
+    pub(crate) steepness: f32,
     leaf_count: u32,
     pub(crate) shape_mask: u32,
     pub(crate) shape_bits: u8,
@@ -46,6 +49,30 @@ pub(crate) struct Record {
     pub(crate) leaf: u32,
 }
 
+/// A point of the box, its leaf, and the way to it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Place {
+    pub(crate) position: Position,
+    /// The finest cell, and 0.
+    pub(crate) cell: [u32; 4],
+    /// Edge of the leaf, as a power of two of finest cells.
+    pub(crate) shift: u32,
+    /// Byte of the leaf.
+    pub(crate) leaf: u32,
+    /// Records of the nodes that hold the leaf, by the power of two of their children's edge.
+    pub(crate) path: [u32; octree::MAX_DEPTH as usize],
+}
+
+/// A leaf that has been read, and the last place in it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Visit {
+    /// Whether there has been one.
+    is_some: bool,
+    place: Place,
+    codes: OverlapCodes,
+    polynomials: Polynomials,
+}
+
 /// How far the supports of others reach into a leaf, by its reach code: in overlaps, where half an edge of the leaf is 1.
 /// With a code of 0 everywhere.
 const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.5];
@@ -53,10 +80,10 @@ const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.
 impl Record {
     #[inline]
     pub(crate) fn new(bytes: &[u8; record::LENGTH]) -> Self {
-        let [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = *bytes;
-        let first = u64::from_le_bytes([g, h, i, j, k, l, m, n]) >> 16;
+        let word = |bytes: Option<&[u8; 8]>| u64::from_le_bytes(*bytes.unwrap_or(&[0; 8]));
+        let first = word(bytes.last_chunk()) >> 16;
         Self {
-            starts: u64::from_le_bytes([a, b, c, d, e, f, g, h]),
+            starts: word(bytes.first_chunk()),
             child: first as u32 & ((1 << record::CHILD_BITS) - 1),
             leaf: (first >> record::CHILD_BITS) as u32,
         }
@@ -134,6 +161,7 @@ impl<'a> PolynomialOctree<'a> {
             lattice,
             quantum,
             overlap,
+            steepness: if overlap == 0.0 { 0.0 } else { 0.25 / overlap },
             shape_bits,
             shape_mask: (1 << shape_bits) - 1,
             header_bits: shape_bits + codes as u8,
@@ -185,19 +213,20 @@ impl<'a> PolynomialOctree<'a> {
 
     /// The box that the root grid fills.
     pub fn bounds(&self) -> Aabb {
-        self.lattice.bounds
+        self.lattice.bounds()
     }
 
     /// Finest cells along x, y, z, at most 2²⁰.
     pub fn lattice(&self) -> [u32; 3] {
-        self.lattice.cells
+        self.lattice.cells()
     }
 
     /// The leaf that holds a finest cell; cells beyond the lattice count as its last.
     #[inline]
     pub fn leaf_at(&self, cell: [u32; 3]) -> Leaf {
         let [x, y, z] = self.lattice.clamp(cell);
-        let (place, shift) = self.descend([x, y, z]);
+        let node = self.root(self.lattice.root_of([x, y, z]));
+        let (place, shift) = self.descend([x, y, z], node, self.lattice.depth.into(), |_, _| ());
         let align = u32::MAX << shift;
         Leaf {
             level: self.lattice.depth - shift as u8,
@@ -222,39 +251,83 @@ impl<'a> PolynomialOctree<'a> {
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
         let mut polynomials = Polynomials::default();
         Bits::at(self, leaf.place).decode(self, &mut polynomials);
-        let (value, slope) = polynomials.evaluate(local.map(|part| 2.0 * part - 1.0));
-        let per_half = 2.0 / self.edge(leaf.level);
-        (value, slope.map(|part| part * per_half))
+        let per_half = self.lattice.per_half(leaf.edge.trailing_zeros());
+        polynomials.evaluate(&padded(local.map(|part| 2.0 * part - 1.0)), per_half)
+    }
+
+    /// What the leaf that holds a point of the box answers alone, distance and gradient: faster than
+    /// [`Field::distance_and_gradient`](crate::Field::distance_and_gradient), which blends leaves where they overlap, and with
+    /// jumps on their faces. `None` outside the box.
+    pub fn unblended(&self, point: [f32; 3]) -> Option<(f32, [f32; 3])> {
+        if !self.lattice.contains(point) {
+            return None;
+        }
+        let mut visit = Visit::default();
+        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
+        self.enter(&mut visit);
+        Some(self.answer_alone(&visit).1)
     }
 
     /// Value and gradient at a point of the box.
     #[inline]
     pub(crate) fn query(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        let position = self.lattice.position(point);
-        let leaf = self.leaf_at(position.map(|cells| cells as u32));
-        let mut polynomials = Polynomials::default();
-        let bits = Bits::at(self, leaf.place);
-        bits.decode(self, &mut polynomials);
-        self.answer(&leaf, position, bits.overlap_codes(self).1, &polynomials)
+        let mut visit = Visit::default();
+        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
+        self.enter(&mut visit);
+        self.answer(&visit)
     }
 
-    /// Value and gradient at a position, whose leaf is decoded.
+    /// The same from the last visit, which it changes.
     #[inline]
-    pub(crate) fn answer(
-        &self,
-        leaf: &Leaf,
-        position: [f32; 3],
-        reach: u32,
-        polynomials: &Polynomials,
-    ) -> (f32, [f32; 3]) {
-        let local = blend::local(leaf, position);
-        let [x, y, z] = local.map(f32::abs);
-        if x.max(y).max(z) > 1.0 - self.overlap * REACH[reach as usize & 3] {
-            return self.blend(leaf, position, polynomials);
+    pub(crate) fn query_from(&self, point: [f32; 3], visit: &mut Visit) -> (f32, [f32; 3]) {
+        let last = visit.place.cell;
+        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
+        let [x, y, z, _] = visit.place.cell;
+        let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
+        if !visit.is_some || different >> visit.place.shift != 0 {
+            self.enter(visit);
         }
-        let (value, slope) = polynomials.evaluate(local);
-        let per_half = 2.0 / self.edge(leaf.level);
-        (value, slope.map(|part| part * per_half))
+        self.answer(visit)
+    }
+
+    /// Finds and reads the leaf of a place.
+    #[inline]
+    fn enter(&self, visit: &mut Visit) {
+        let place = &mut visit.place;
+        let [x, y, z, _] = place.cell;
+        let node = self.root(self.lattice.root_of([x, y, z]));
+        let depth = u32::from(self.lattice.depth);
+        (place.leaf, place.shift) = self.descend([x, y, z], node, depth, |shift, record| {
+            place.path[shift as usize & 15] = record;
+        });
+        let bits = Bits::at(self, place.leaf);
+        visit.codes = bits.overlap_codes(self);
+        bits.decode(self, &mut visit.polynomials);
+        visit.is_some = true;
+    }
+
+    /// Value and gradient at the place of a visit.
+    #[inline]
+    fn answer(&self, visit: &Visit) -> (f32, [f32; 3]) {
+        let (local, alone) = self.answer_alone(visit);
+        let within = self.alone_within(visit.codes.reach);
+        let [x, y, z, _] = local;
+        let is_near = (x.abs() > within) | (y.abs() > within) | (z.abs() > within);
+        if is_near { self.blend(&visit.place, visit.codes, &local, alone) } else { alone }
+    }
+
+    /// Local coordinates at the place of a visit, and value and gradient of its leaf.
+    #[inline]
+    fn answer_alone(&self, Visit { place, polynomials, .. }: &Visit) -> (Lanes, (f32, [f32; 3])) {
+        let mut local = [0.0; 4];
+        blend::local(&place.cell, place.shift, &place.position, &mut local);
+        (local, polynomials.evaluate(&local, self.lattice.per_half(place.shift)))
+    }
+
+    /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.
+    #[inline]
+    pub(crate) fn alone_within(&self, reach: u32) -> f32 {
+        1.0 - self.overlap * REACH[reach as usize & 3]
     }
 
     /// Number of the root word of a finest cell of the lattice, as a node.
@@ -270,20 +343,29 @@ impl<'a> PolynomialOctree<'a> {
         Record::new(self.records.get(number as usize).unwrap_or(&[0; record::LENGTH]))
     }
 
-    /// The leaf that holds a finest cell of the lattice: its place, and its edge as a power of two.
+    /// From a node whose edge is 2^`shift` to the leaf in it that holds a finest cell: its place, and its edge as a power
+    /// of two. `pass` is called with every record on the way, and the power of two of its children's edge.
     #[inline]
-    fn descend(&self, cell @ [x, y, z]: [u32; 3]) -> (u32, u32) {
-        let mut shift = u32::from(self.lattice.depth);
-        let mut node = self.root(self.lattice.root_of(cell));
-        loop {
-            match node {
-                Node::Inner(number) if shift > 0 => {
-                    shift -= 1;
-                    let octant = (x >> shift & 1) | (y >> shift & 1) << 1 | (z >> shift & 1) << 2;
-                    node = self.record(number).child(octant);
-                }
-                Node::Leaf(place) | Node::Inner(place) => return (place, shift),
-            }
+    pub(crate) fn descend(
+        &self,
+        cell: [u32; 3],
+        mut node: Node,
+        mut shift: u32,
+        mut pass: impl FnMut(u32, u32),
+    ) -> (u32, u32) {
+        // All three coordinates at once: a product gathers a bit of each.
+        let [x, y, z] = cell.map(u64::from);
+        let digits = x | y << 21 | z << 42;
+        while let Node::Inner(record) = node
+            && shift > 0
+        {
+            shift -= 1;
+            pass(shift, record);
+            let bits = digits >> shift & (1 | 1 << 21 | 1 << 42);
+            let octant = (bits.wrapping_mul(1 << 42 | 1 << 22 | 1 << 2) >> 42) as u32 & 7;
+            node = self.record(record).child(octant);
         }
+        let (Node::Leaf(leaf) | Node::Inner(leaf)) = node;
+        (leaf, shift)
     }
 }

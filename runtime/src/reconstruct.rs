@@ -1,7 +1,10 @@
 //! What a grid answers between its samples (SPEC.md §11.4).
 
 use crate::grid::{Grid, Reconstruction};
-use crate::hermite::{Corners, tricubic, tricubic_and_derivatives, trilinear_sum};
+use crate::grid_sample::FirstOrder;
+use crate::hermite::{
+    Corners, mix, tricubic, tricubic_and_derivatives, trilinear, trilinear_and_derivatives, trilinear_sum,
+};
 use crate::polynomial::triquintic;
 
 /// Every term of a polynomial as it is.
@@ -32,6 +35,65 @@ impl Weights {
     }
 }
 
+/// A point of a cell of first-order samples.
+struct Place {
+    local: [f32; 3],
+    weights: [Weights; 3],
+    /// Share of its slope that a sample contributes.
+    share: f32,
+}
+
+/// What is left of a cell's first-order samples when x is given, at `2 y + z`: the value, and the derivatives by local
+/// coordinates that the samples' own slopes give.
+struct Face {
+    value: [f32; 4],
+    by_x: [f32; 4],
+    by_y: [f32; 4],
+    by_z: [f32; 4],
+}
+
+impl Face {
+    const ZERO: Self = Self { value: [0.0; 4], by_x: [0.0; 4], by_y: [0.0; 4], by_z: [0.0; 4] };
+    /// Where its four ends lie.
+    const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
+    const Z: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
+}
+
+// The two functions that follow stay apart and end in memory: so compilers find their four-wide form.
+
+/// The values of a face.
+#[inline(never)]
+fn values_at_x(corners: &FirstOrder, place: &Place, face: &mut Face) {
+    let Place { local: [x, y, z], weights: [Weights { value: [near, far], .. }, ..], share } = *place;
+    let [slope_x, slope_y, slope_z] = &corners.gradient;
+    for end in 0..4 {
+        let (from_y, from_z) = (y - Face::Y[end], z - Face::Z[end]);
+        let at = |corner: usize, from_x: f32| {
+            let slope = slope_x[corner] * from_x + slope_y[corner] * from_y + slope_z[corner] * from_z;
+            corners.distance[corner] + share * slope
+        };
+        face.value[end] = at(end, x) * near + at(4 + end, x - 1.0) * far;
+    }
+}
+
+/// The derivatives of a face.
+#[inline(never)]
+fn slopes_at_x(corners: &FirstOrder, place: &Place, face: &mut Face) {
+    let Place { local: [x, y, z], weights: [Weights { value: [near, far], derivative }, ..], share } = *place;
+    let [slope_x, slope_y, slope_z] = &corners.gradient;
+    for end in 0..4 {
+        let (from_y, from_z) = (y - Face::Y[end], z - Face::Z[end]);
+        let at = |corner: usize, from_x: f32| {
+            let slope = slope_x[corner] * from_x + slope_y[corner] * from_y + slope_z[corner] * from_z;
+            corners.distance[corner] + share * slope
+        };
+        let own = |slopes: &Corners| share * (slopes[end] * near + slopes[4 + end] * far);
+        face.by_x[end] = at(end, x) * derivative[0] + at(4 + end, x - 1.0) * derivative[1] + own(slope_x);
+        face.by_y[end] = own(slope_y);
+        face.by_z[end] = own(slope_z);
+    }
+}
+
 /// The polynomials of the corners at one point: mesh units, slopes by local coordinates.
 struct Answers {
     value: Corners,
@@ -42,13 +104,19 @@ impl Grid<'_> {
     /// Value at local coordinates of a cell, 0 to 1 along each axis; mesh units.
     #[inline]
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
-        match (self.reconstruction(), self.order()) {
-            (Reconstruction::Hermite, 1) => tricubic(&self.first_order(cell).jets(), local),
-            (Reconstruction::Nearest | Reconstruction::Hermite, _) => self.rare(cell, local).0,
-            _ => {
-                let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
-                trilinear_sum(&self.answers(cell, local).value, x.value, y.value, z.value)
+        match (self.order(), self.reconstruction()) {
+            (0, Reconstruction::Linear) => trilinear(&self.distances(cell), local),
+            (1, Reconstruction::Hermite) => {
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                tricubic(&corners.jets(), local)
             }
+            (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                first_order_value(&corners, &self.place(local))
+            }
+            _ => self.rare(cell, local).0,
         }
     }
 
@@ -59,36 +127,79 @@ impl Grid<'_> {
     pub fn evaluate(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let last = self.resolution();
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
-        let (value, slopes) = match (self.reconstruction(), self.order()) {
-            (Reconstruction::Hermite, 1) => tricubic_and_derivatives(&self.first_order(cell).jets(), local),
-            (Reconstruction::Nearest | Reconstruction::Hermite, _) => self.rare(cell, local),
-            _ => {
-                let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
-                let Answers { value, slope: [by_x, by_y, by_z] } = self.answers(cell, local);
-                let of_weights = [
-                    trilinear_sum(&value, x.derivative, y.value, z.value),
-                    trilinear_sum(&value, x.value, y.derivative, z.value),
-                    trilinear_sum(&value, x.value, y.value, z.derivative),
-                ];
-                let of_polynomials = [by_x, by_y, by_z].map(|slope| trilinear_sum(&slope, x.value, y.value, z.value));
-                let slopes = [0, 1, 2].map(|axis: usize| of_weights[axis] + of_polynomials[axis]);
-                (trilinear_sum(&value, x.value, y.value, z.value), slopes)
+        let (value, slopes) = match (self.order(), self.reconstruction()) {
+            (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
+            (1, Reconstruction::Hermite) => {
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                tricubic_and_derivatives(&corners.jets(), local)
             }
+            (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                first_order_value_and_slopes(&corners, &self.place(local))
+            }
+            _ => self.rare(cell, local),
         };
         (value, self.per_unit(slopes))
     }
 
+    /// What a first-order reconstruction makes of a point.
+    #[inline]
+    fn place(&self, local: [f32; 3]) -> Place {
+        let [_, share, ..] = self.factors();
+        Place { local, weights: local.map(|t| Weights::new(self.smoothness(), t)), share }
+    }
+
     /// The reconstructions that are not built for speed.
+    #[inline(never)]
     fn rare(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
-        if self.reconstruction() == Reconstruction::Hermite {
-            return triquintic(&self.polynomials(cell), local);
+        match self.reconstruction() {
+            Reconstruction::Hermite => triquintic(&self.polynomials(cell), local),
+            Reconstruction::Nearest => self.nearest(cell, local),
+            _ => self.weighted(cell, local),
         }
+    }
+
+    /// The polynomial of the nearest sample.
+    fn nearest(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         // A point midway belongs to the greater sample.
         let [x, y, z] = local.map(|t| u32::from(t >= 0.5));
         let nearest = [cell[0] + x, cell[1] + y, cell[2] + z];
         self.polynomial(nearest).at([local[0] - x as f32, local[1] - y as f32, local[2] - z as f32], WHOLE)
     }
 
+    /// The weighted polynomials of samples of any order.
+    fn weighted(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
+        let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
+        let Answers { value, slope: [by_x, by_y, by_z] } = self.answers(cell, local);
+        let of_weights = [
+            trilinear_sum(&value, x.derivative, y.value, z.value),
+            trilinear_sum(&value, x.value, y.derivative, z.value),
+            trilinear_sum(&value, x.value, y.value, z.derivative),
+        ];
+        let of_polynomials = [by_x, by_y, by_z].map(|slope| trilinear_sum(&slope, x.value, y.value, z.value));
+        let slopes = [0, 1, 2].map(|axis: usize| of_weights[axis] + of_polynomials[axis]);
+        (trilinear_sum(&value, x.value, y.value, z.value), slopes)
+    }
+
+    fn answers(&self, cell: [u32; 3], [x, y, z]: [f32; 3]) -> Answers {
+        let factors = self.factors();
+        let mut answers = Answers { value: Corners::default(), slope: [Corners::default(); 3] };
+        for (corner, polynomial) in self.polynomials(cell).iter().enumerate() {
+            let end = |bit: usize| (corner >> bit & 1) as f32;
+            let (value, [by_x, by_y, by_z]) = polynomial.at([x - end(2), y - end(1), z - end(0)], factors);
+            // The mask shows the compiler that no index can fail.
+            let corner = corner & 7;
+            answers.value[corner] = value;
+            answers.slope[0][corner] = by_x;
+            answers.slope[1][corner] = by_y;
+            answers.slope[2][corner] = by_z;
+        }
+        answers
+    }
+
+    /// How many derivatives of the weights vanish at the ends.
     #[inline]
     fn smoothness(&self) -> u8 {
         if self.reconstruction() == Reconstruction::Blend { self.order() } else { 0 }
@@ -106,44 +217,34 @@ impl Grid<'_> {
             _ => [1.0, 0.75, 0.5, 0.25],
         }
     }
+}
 
-    #[inline]
-    fn answers(&self, cell: [u32; 3], local: [f32; 3]) -> Answers {
-        match self.order() {
-            0 => Answers { value: self.distances(cell), slope: [Corners::default(); 3] },
-            1 => self.first_order_answers(cell, local),
-            _ => self.polynomial_answers(cell, local),
-        }
-    }
+/// Value between first-order samples.
+#[inline]
+fn first_order_value(corners: &FirstOrder, place: &Place) -> f32 {
+    let mut face = Face::ZERO;
+    values_at_x(corners, place, &mut face);
+    let [_, y, z] = place.weights;
+    face_sum(&face.value, y.value, z.value)
+}
 
-    #[inline]
-    fn first_order_answers(&self, cell: [u32; 3], [x, y, z]: [f32; 3]) -> Answers {
-        let [_, factor, ..] = self.factors();
-        let corners = self.first_order(cell);
-        let mut answers = Answers { value: corners.distance, slope: corners.gradient };
-        let [by_x, by_y, by_z] = &mut answers.slope;
-        let slopes = by_x.iter_mut().zip(by_y).zip(by_z);
-        for (corner, (value, ((by_x, by_y), by_z))) in answers.value.iter_mut().zip(slopes).enumerate() {
-            let end = |bit: usize| (corner >> bit & 1) as f32;
-            (*by_x, *by_y, *by_z) = (*by_x * factor, *by_y * factor, *by_z * factor);
-            *value += *by_x * (x - end(2)) + *by_y * (y - end(1)) + *by_z * (z - end(0));
-        }
-        answers
-    }
+/// Value, with the bits of [`first_order_value`], and derivatives by local coordinates.
+#[inline]
+fn first_order_value_and_slopes(corners: &FirstOrder, place: &Place) -> (f32, [f32; 3]) {
+    let mut face = Face::ZERO;
+    values_at_x(corners, place, &mut face);
+    slopes_at_x(corners, place, &mut face);
+    let [_, y, z] = place.weights;
+    let slopes = [
+        face_sum(&face.by_x, y.value, z.value),
+        face_sum(&face.value, y.derivative, z.value) + face_sum(&face.by_y, y.value, z.value),
+        face_sum(&face.value, y.value, z.derivative) + face_sum(&face.by_z, y.value, z.value),
+    ];
+    (face_sum(&face.value, y.value, z.value), slopes)
+}
 
-    fn polynomial_answers(&self, cell: [u32; 3], [x, y, z]: [f32; 3]) -> Answers {
-        let factors = self.factors();
-        let mut answers = Answers { value: Corners::default(), slope: [Corners::default(); 3] };
-        for (corner, polynomial) in self.polynomials(cell).iter().enumerate() {
-            let end = |bit: usize| (corner >> bit & 1) as f32;
-            let (value, [by_x, by_y, by_z]) = polynomial.at([x - end(2), y - end(1), z - end(0)], factors);
-            // The mask shows the compiler that no index can fail.
-            let corner = corner & 7;
-            answers.value[corner] = value;
-            answers.slope[0][corner] = by_x;
-            answers.slope[1][corner] = by_y;
-            answers.slope[2][corner] = by_z;
-        }
-        answers
-    }
+/// Weighted sum of the four ends of a face.
+#[inline]
+fn face_sum(&[a, b, c, d]: &[f32; 4], y: [f32; 2], z: [f32; 2]) -> f32 {
+    mix(z, [mix(y, [a, c]), mix(y, [b, d])])
 }

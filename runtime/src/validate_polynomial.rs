@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::lattice::Leaf;
-use crate::layout::section::RECORDS;
+use crate::layout::section::{RECORDS, SHAPES};
 use crate::layout::{kind, leaf, polynomial, record, shape};
-use crate::polynomial_leaf::{Bits, Shape};
+use crate::polynomial_leaf::{Bits, OverlapCodes, Shape};
 use crate::polynomial_octree::{Node, PolynomialOctree, Record};
 use crate::region::Region;
 use crate::section;
@@ -14,6 +14,9 @@ use crate::section;
 /// The order of the file makes it a tree without any memory of what was seen: the next record and the next byte of a
 /// leaf are always known.
 pub(crate) fn octree(bytes: &[u8], octree: &PolynomialOctree<'_>) -> Result<(), Error> {
+    if !section::find_bytes(bytes, SHAPES)?.len().is_multiple_of(shape::LENGTH) {
+        return Err(Error::ShapeOrder);
+    }
     check_shapes(octree)?;
     let root_count = octree.lattice.root_count() as usize;
     if octree.roots.len() != root_count {
@@ -161,7 +164,7 @@ fn check_rest(bytes: &[u8], bit: u32) -> Result<(), Error> {
 
 /// Checks a leaf against those that it touches.
 fn check_overlap(octree: &PolynomialOctree<'_>, leaf: &Leaf) -> Result<(), Error> {
-    let (support, reach) = Bits::at(octree, leaf.place).overlap_codes(octree);
+    let codes = Bits::at(octree, leaf.place).overlap_codes(octree);
     let mut deepest = leaf.level;
     // The greatest support of a leaf that it touches, in finest cells and without the overlap.
     let mut greatest = 0.0_f32;
@@ -170,14 +173,14 @@ fn check_overlap(octree: &PolynomialOctree<'_>, leaf: &Leaf) -> Result<(), Error
         if u32::from(deepest - leaf.level) > leaf::MAX_LEVELS_APART {
             return Err(Error::LevelsApart);
         }
-        let (its_support, _) = Bits::at(octree, other.place).overlap_codes(octree);
+        let its_support = Bits::at(octree, other.place).overlap_codes(octree).support;
         greatest = greatest.max(other.edge as f32 / (1 << its_support) as f32);
     }
 
-    let expected = u32::from(deepest - leaf.level).min(leaf::MAX_SUPPORT);
+    let support = u32::from(deepest - leaf.level).min(leaf::MAX_SUPPORT);
     let reaches = |code: &u32| greatest <= leaf.edge as f32 / (1 << (code - 1)) as f32;
-    let expected_reach = (1..=leaf::MAX_REACH).rev().find(reaches).unwrap_or(0);
-    if (support, reach) == (expected, expected_reach) { Ok(()) } else { Err(Error::OverlapCodes) }
+    let reach = (1..=leaf::MAX_REACH).rev().find(reaches).unwrap_or(0);
+    if codes == (OverlapCodes { support, reach }) { Ok(()) } else { Err(Error::OverlapCodes) }
 }
 
 /// The leaves that touch a leaf.

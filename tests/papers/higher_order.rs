@@ -1,5 +1,6 @@
 //! Valasek and Bán 2022: higher orders and their filters.
 
+use crate::chart::Curve;
 use crate::measure::{Errors, Subject};
 use crate::shapes::{Formula, Shapes, scene_1, scene_2, torus};
 use nearfield_bake::settings::{FineGrid, GridSettings, Precision, RangeScope, Reconstruction, Resolution, Sampling};
@@ -8,9 +9,6 @@ use std::fmt::Write;
 const RESOLUTIONS: [u16; 3] = [8, 16, 32];
 /// Resolutions of zero-order fields between which errors are interpolated.
 const ZERO_ORDER: [u32; 12] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 256];
-
-/// A curve of the chart: a name, and bytes and mean error of its points.
-pub(crate) type Curve = (String, Vec<(f64, f64)>);
 
 struct Column {
     name: &'static str,

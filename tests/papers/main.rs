@@ -1,7 +1,7 @@
 //! Measures what the papers behind Nearfield measured, and writes their figures beside ours.
 //!
 //! `cargo run --release -p conformance --bin papers -- [MESHES] OUTPUT.md`: MESHES is a folder with
-//! `stanford-bunny.obj` and `armadillo.obj`; where one is missing, the repository's own Spot stands in.
+//! `stanford-bunny.obj`, `armadillo.obj` and `sponza.obj`; the repository's own Spot stands in for the first two.
 
 mod chart;
 mod first_order;
@@ -26,11 +26,19 @@ fn main() -> io::Result<()> {
     text += &first_order::tables(&shapes);
     let (tables, curves) = higher_order::tables(&shapes);
     text += &tables;
-    text += &octree::tables(&shapes);
+    let octree::Tables { text: octrees, sweep, by_distance } = octree::tables(&shapes);
+    text += &octrees;
 
     let folder = output.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(folder)?;
-    fs::write(folder.join("papers-error.svg"), chart::log_log("mean error by bytes, mesh", &curves))?;
+    let charts = [
+        ("papers-error.svg", "mean error by bytes, mesh", " B", curves),
+        ("papers-target.svg", "megabytes and RMSE by target", "", sweep),
+        ("papers-distance.svg", "RMSE by distance to the surface", "", by_distance),
+    ];
+    for (file, title, unit, curves) in charts {
+        fs::write(folder.join(file), chart::log_log(title, unit, &curves))?;
+    }
     fs::write(output, text)
 }
 

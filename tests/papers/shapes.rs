@@ -19,6 +19,8 @@ pub(crate) struct MeshShape {
 pub(crate) struct Shapes {
     pub(crate) bunny: MeshShape,
     pub(crate) armadillo: MeshShape,
+    /// An open room of sheets; there is no stand-in.
+    pub(crate) sponza: Option<MeshShape>,
 }
 
 impl Shapes {
@@ -31,6 +33,10 @@ impl Shapes {
         };
         Self {
             bunny: find("bunny", "stanford-bunny.obj", "the Stanford bunny of 69 451 triangles"),
+            sponza: folder
+                .map(|folder| folder.join("sponza.obj"))
+                .filter(|path| path.exists())
+                .map(|path| MeshShape::new("sponza", "Crytek's Sponza", &path)),
             armadillo: find("armadillo", "armadillo.obj", "an Armadillo of 86 482 triangles"),
         }
     }

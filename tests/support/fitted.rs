@@ -123,8 +123,11 @@ impl Fit {
         for degree in 0..=3 {
             candidates.push(self.quantize(SINGLE, level, [project(truth, degree), Vec::new()]));
             let sides = |other| [project(ball(nearest[0]), degree), project(ball(nearest[1]), other)];
-            candidates.push(self.quantize(MIN, level, sides(degree)));
-            candidates.push(self.quantize(MIN, level, sides(degree.max(1) - 1)));
+            // Two polynomials of degree 3 take more than a leaf may.
+            if degree < 3 {
+                candidates.push(self.quantize(MIN, level, sides(degree)));
+                candidates.push(self.quantize(MIN, level, sides(degree.max(1) - 1)));
+            }
         }
         let fitting = candidates.into_iter().find(|leaf| {
             let error = |point| (self.evaluate(leaf, point).0 - truth(point)).abs();
@@ -193,6 +196,19 @@ impl Fit {
         }
         let value = values / weights;
         (value, (slopes - value * weight_slopes) / weights / per_cell, count)
+    }
+
+    /// Value of the leaf that holds a position, without its neighbours.
+    pub(crate) fn alone(&self, octree: &PolynomialOctree, position: DVec3) -> f64 {
+        let is_in = |placed: &&Placed| {
+            (0..3).all(|axis| {
+                let low = placed.cell[axis] as f64;
+                (low..low + placed.edge as f64).contains(&position[axis])
+            })
+        };
+        let placed = octree.leaves.iter().find(is_in).expect("a leaf");
+        let corner = DVec3::from_array(placed.cell.map(|cell| cell as f64));
+        self.evaluate(&placed.leaf, (position - corner) / (0.5 * placed.edge as f64) - 1.0).0
     }
 }
 

@@ -3,6 +3,7 @@
 //! Each is a valid file with one change, under the right checksums unless the checksum is the change.
 
 use super::invalid_grids;
+use super::invalid_polynomials;
 use super::samples::{Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
 use super::valid::three_levels;
 use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR, entry, put, seal};
@@ -24,7 +25,7 @@ pub(crate) fn all() -> Vec<Invalid> {
     nodes(&mut vectors);
     blocks(&mut vectors);
     sample_data(&mut vectors);
-    for (name, error, file) in invalid_grids::all() {
+    for (name, error, file) in invalid_grids::all().into_iter().chain(invalid_polynomials::all()) {
         vectors.add(&name, error, file.bytes());
     }
     vectors.0

@@ -6,10 +6,12 @@
 mod grid;
 pub(crate) mod invalid;
 mod invalid_grids;
+mod invalid_polynomials;
 pub(crate) mod polynomial;
 pub(crate) mod samples;
 pub(crate) mod valid;
 mod valid_grids;
+mod valid_polynomials;
 pub(crate) mod writer;
 
 use std::collections::{BTreeMap, BTreeSet};

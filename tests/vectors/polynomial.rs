@@ -93,6 +93,8 @@ pub(crate) struct PolynomialOctree {
     pub(crate) records: Vec<Record>,
     /// In the order of the file.
     pub(crate) leaves: Vec<Placed>,
+    /// Which of the root cells, and then of the children of each record, are inner nodes.
+    pub(crate) groups: Vec<Vec<bool>>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -122,20 +124,20 @@ impl PolynomialOctree {
             roots: Vec::new(),
             records: Vec::new(),
             leaves: Vec::new(),
+            groups: Vec::new(),
         };
         octree.lay_out(roots);
         octree
     }
 
-    /// Root words, records and leaves in the order of §12.3.
+    /// Everything in the order of §12.3.
     fn lay_out(&mut self, roots: Vec<Cell>) {
         let edge = 1_i64 << self.depth;
         let [x, y, _] = self.root_cells.map(i64::from);
         let place = |root: i64| [root % x * edge, root / x % y * edge, root / (x * y) * edge];
         let mut groups = VecDeque::from([(edge, (0..).map(place).zip(roots).collect::<Vec<_>>())]);
-        let mut tree: Vec<Vec<bool>> = Vec::new();
         while let Some((edge, cells)) = groups.pop_front() {
-            tree.push(cells.iter().map(|(_, cell)| matches!(cell, Cell::Inner(_))).collect());
+            self.groups.push(cells.iter().map(|(_, cell)| matches!(cell, Cell::Inner(_))).collect());
             for (cell, content) in cells {
                 match content {
                     Cell::Leaf(leaf) => self.leaves.push(Placed { leaf, cell, edge, support: 0, reach: 3 }),
@@ -155,11 +157,16 @@ impl PolynomialOctree {
         if self.overlap != 0.0 {
             self.find_codes();
         }
+        self.number();
+    }
 
-        // Numbers of records and bytes of leaves, by counting.
+    /// Root words and records, by counting.
+    pub(crate) fn number(&mut self) {
+        self.roots.clear();
+        self.records.clear();
         let lengths: Vec<usize> = self.leaves.iter().map(|placed| self.bits(placed).len().div_ceil(8)).collect();
         let (mut next_record, mut next_leaf, mut byte) = (0, 0, 0);
-        for (index, cells) in tree.iter().enumerate() {
+        for (index, cells) in self.groups.iter().enumerate() {
             let mut record = Record { child: u64::from(next_record), leaf: byte as u64, inner: 0, starts: [0; 7] };
             let first_byte = byte;
             for (child, &is_inner) in cells.iter().enumerate() {
@@ -197,10 +204,10 @@ impl PolynomialOctree {
         }
         for (own, others) in touching.iter().enumerate() {
             // Eighths of the overlap, in finest cells: exact.
-            let reach_of = |other: &usize| self.leaves[*other].edge * 8 >> self.leaves[*other].support;
+            let reach_of = |other: &usize| (self.leaves[*other].edge * 8) >> self.leaves[*other].support;
             let greatest = others.iter().map(reach_of).max().unwrap_or(0);
             let edge = self.leaves[own].edge;
-            let reach = (1..=3).rev().find(|&code| greatest <= edge * 8 >> (code - 1)).unwrap_or(0);
+            let reach = (1..=3).rev().find(|&code| greatest <= (edge * 8) >> (code - 1)).unwrap_or(0);
             self.leaves[own].reach = reach;
         }
     }

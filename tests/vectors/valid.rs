@@ -2,6 +2,7 @@
 
 use super::samples::{ALL, Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
 use super::valid_grids;
+use super::valid_polynomials;
 use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR, corners};
 
 const INTERPOLANTS: [(&str, u8); 2] = [("trilinear", TRILINEAR), ("tricubic", TRICUBIC)];
@@ -85,7 +86,7 @@ pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
     many.sections.extend((0..13).map(|index| ([b'X', b'0', b'0', b'A' + index], vec![index; 4])));
     add("sixteen_sections", many);
 
-    for (name, file) in valid_grids::all() {
+    for (name, file) in valid_grids::all().into_iter().chain(valid_polynomials::all()) {
         add(&name, file);
     }
 

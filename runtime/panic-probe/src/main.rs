@@ -58,6 +58,12 @@ fn query(field: Field<'_>, point: [f32; 3]) {
             black_box(octree.evaluate(&leaf, point));
         }
     }
+    if let Some(octree) = field.polynomial_octree() {
+        black_box(octree.unblended(point));
+        for leaf in octree.leaves() {
+            black_box(octree.evaluate(&leaf, point));
+        }
+    }
     if let Some(grid) = field.grid() {
         black_box(grid.evaluate(black_box([0; 3]), point));
     }
