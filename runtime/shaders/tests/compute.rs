@@ -2,11 +2,16 @@
 //! about a million points in all.
 
 mod fields;
+#[path = "../examples/gpu/mod.rs"]
 mod gpu;
+mod querier;
+mod tolerance;
 
 use fields::Sample;
-use gpu::{Gpu, Querier};
-use nearfield::{Field, Interpolant, Leaf, Reconstruction};
+use gpu::Gpu;
+use nearfield::{Field, Interpolant, Reconstruction};
+use querier::Querier;
+use tolerance::Tolerances;
 
 /// Points at each field, those of the vectors' own answers not counted.
 const POINTS: u32 = 10_000;
@@ -87,6 +92,7 @@ impl Tally {
 fn compare(querier: &Querier<'_>, sample: &Sample, points: &[[f32; 3]], tally: &mut Tally) {
     let field = Field::open(&sample.bytes).expect("a field");
     let is_exact = querier.is_software() && has_plain_weights(&field);
+    let tolerances = Tolerances::of(field);
     tally.fields += 1;
     for (&point, [distance, gradient @ ..]) in points.iter().zip(querier.answers(&sample.bytes, points)) {
         let (expected, slope) = field.distance_and_gradient(point);
@@ -104,7 +110,7 @@ fn compare(querier: &Querier<'_>, sample: &Sample, points: &[[f32; 3]], tally: &
             continue;
         }
 
-        let tolerance = Tolerance::at(&field, point);
+        let tolerance = tolerances.at(point);
         let off = f64::from((distance - expected).abs()) / f64::from(tolerance.distance);
         assert!(off <= 1.0, "distance off by {off} of what is tolerated: {place}");
         tally.distance = tally.distance.max(off);
@@ -124,57 +130,4 @@ fn has_plain_weights(field: &Field<'_>) -> bool {
         (_, Some(octree)) => octree.interpolant() == Interpolant::Trilinear,
         _ => false,
     }
-}
-
-/// What answers may differ by: SPEC.md §9 and §11.4.
-struct Tolerance {
-    distance: f32,
-    gradient: f32,
-}
-
-impl Tolerance {
-    fn at(field: &Field<'_>, point: [f32; 3]) -> Self {
-        let bounds = field.header().bounds;
-        let nearest = [0, 1, 2].map(|axis: usize| point[axis].clamp(bounds.min[axis], bounds.max[axis]));
-        let away = [0, 1, 2].map(|axis: usize| f64::from(point[axis]) - f64::from(nearest[axis]));
-        let away = away.iter().map(|part| part * part).sum::<f64>().sqrt() as f32;
-
-        let (share, largest, edge) = magnitude(field, nearest);
-        let gradient = if away > 0.0 { 2.0_f32.powi(-20) } else { 8.0 * share * largest / edge };
-        // Zero differs from zero by nothing.
-        Self { distance: (share * (largest + away)).max(f32::MIN_POSITIVE), gradient: gradient.max(f32::MIN_POSITIVE) }
-    }
-}
-
-/// What share of M distances may be off by; M, from the values and slopes at the corners around a point of the box; and the
-/// least edge of the leaf or cell.
-fn magnitude(field: &Field<'_>, point: [f32; 3]) -> (f32, f32, f32) {
-    let low = field.header().bounds.min;
-    let cell = |edges: [f32; 3]| [0, 1, 2].map(|axis: usize| ((point[axis] - low[axis]) / edges[axis]) as u32);
-    let corners = (0..8_u32).map(|corner| [corner >> 2, corner >> 1 & 1, corner & 1]);
-    let largest = |distance: f32, slope: [f32; 3], edges: [f32; 3]| {
-        slope.iter().zip(edges).map(|(part, edge)| (part * edge).abs()).fold(distance.abs(), f32::max)
-    };
-    let of_leaf = |edge: f32, evaluate: &dyn Fn([f32; 3]) -> (f32, [f32; 3])| {
-        let corners = corners.clone().map(|corner| evaluate(corner.map(|part| part as f32)));
-        let magnitudes = corners.map(|(distance, slope)| largest(distance, slope, [edge; 3]));
-        magnitudes.fold(0.0, f32::max)
-    };
-    let finest = |edge: f32| [edge; 3];
-    if let Some(octree) = field.octree() {
-        let leaf: Leaf = octree.leaf_at(cell(finest(octree.edge(octree.depth()))));
-        let edge = octree.edge(leaf.level);
-        return (2.0_f32.powi(-19), of_leaf(edge, &|local| octree.evaluate(&leaf, local)), edge);
-    }
-    if let Some(octree) = field.polynomial_octree() {
-        let leaf: Leaf = octree.leaf_at(cell(finest(octree.edge(octree.depth()))));
-        let edge = octree.edge(leaf.level);
-        return (2.0_f32.powi(-18), of_leaf(edge, &|local| octree.evaluate(&leaf, local)), edge);
-    }
-    let grid = field.grid().expect("a grid, if neither octree");
-    let spacing = grid.spacing();
-    let least = cell(spacing);
-    let samples = corners.map(|corner| grid.sample([0, 1, 2].map(|axis: usize| least[axis] + corner[axis])));
-    let magnitudes = samples.map(|(distance, slope)| largest(distance, slope, spacing));
-    (2.0_f32.powi(-18), magnitudes.fold(0.0, f32::max), spacing.into_iter().fold(f32::INFINITY, f32::min))
 }
