@@ -129,7 +129,7 @@ assert crc32c(b"123456789") == 0xE3069283
 HEADER_LENGTH = 128
 ENTRY_LENGTH = 16
 MAGIC = bytes([0x89, 0x4E, 0x46, 0x44, 0x0D, 0x0A, 0x1A, 0x0A])
-SIGN_METHODS = {0, 1, 2}
+SIGN_METHODS = {0, 1, 2, 3, 4}
 
 
 def open_field(data):

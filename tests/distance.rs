@@ -9,7 +9,7 @@ use nearfield_bake::import::{self, TriangleSoup};
 use nearfield_bake::mesh::CheckedMesh;
 
 fn auto(mesh: &CheckedMesh) -> SignedDistance {
-    SignedDistance::new(mesh, SignChoice::Auto.resolve(&mesh.topology))
+    SignedDistance::choose(mesh, SignChoice::Auto).0
 }
 
 /// Points in and around the box, next to the surface, and on vertices, edges and faces.
@@ -192,8 +192,9 @@ fn a_hole_switches_to_winding_numbers_and_casts_doubt() {
     let soup = TriangleSoup { positions: mesh.positions, triangles: mesh.triangles };
     let mesh = CheckedMesh::new(soup).unwrap();
     assert!(mesh.topology.boundary_edges > 0);
-    assert_eq!(SignChoice::Auto.resolve(&mesh.topology), SignMethod::Winding);
-    assert_eq!(SignChoice::Pseudonormal.resolve(&mesh.topology), SignMethod::Pseudonormal);
+    let method = |choice| SignedDistance::choose(&mesh, choice).1.method;
+    assert_eq!(method(SignChoice::Auto), SignMethod::Winding);
+    assert_eq!(method(SignChoice::Pseudonormal), SignMethod::Pseudonormal);
 
     let distance = auto(&mesh);
     for (point, is_inside) in

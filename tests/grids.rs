@@ -301,7 +301,7 @@ fn a_closure_bakes_with_and_without_its_gradient() {
         let field = Field::open(&baked.bytes).expect("a field");
         let header = field.header();
         assert_eq!((header.sign_method, header.mesh_hash), (SignMethod::None, [0; 16]));
-        assert_eq!(baked.report.sign_method, None);
+        assert_eq!(baked.report.sign, None);
         assert_eq!(field.contract().sample_count, settings.samples);
         assert!(baked.report.measurement.band.count() > 500, "{:?}", baked.report.measurement.band.count());
         let point = [0.5, 0.25, 2.5];

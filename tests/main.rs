@@ -30,6 +30,8 @@ mod regressions;
 mod round_trip;
 /// Meshes that the other modules bake.
 mod shapes;
+/// Broken meshes keep their inside.
+mod signs;
 /// Shapes with known distances, and an oracle too simple to be wrong.
 mod support;
 /// A file that is not whole is refused.

@@ -1,10 +1,10 @@
-//! Times the exact distance on one thread: `time_distance MESH`.
+//! Times the exact distance on one thread, by sign method: `time_distance MESH`.
 //!
 //! The answers are checked against every triangle before anything is timed.
 
 use glam::{DVec3, UVec3};
 use nearfield_bake::distance::triangle::closest_point;
-use nearfield_bake::distance::{SignChoice, SignedDistance};
+use nearfield_bake::distance::{SignChoice, SignMethod, SignedDistance};
 use nearfield_bake::field_function::FieldFunction;
 use nearfield_bake::import;
 use nearfield_bake::mesh::CheckedMesh;
@@ -16,9 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: time_distance MESH")?;
     let mesh = CheckedMesh::new(import::read(path)?)?;
     let started = Instant::now();
-    let method = SignChoice::Auto.resolve(&mesh.topology);
-    let distance = SignedDistance::new(&mesh, method);
-    println!("{} triangles, {method:?}, built in {:.0?}", mesh.triangles.len(), started.elapsed());
+    let (distance, decision) = SignedDistance::choose(&mesh, SignChoice::Auto);
+    println!("{} triangles, {:?}, built in {:.0?}", mesh.triangles.len(), decision.method, started.elapsed());
 
     let random = random_points(&mesh, 200_000);
     let rows = lattice(&mesh, 128, UVec3::new(0, 0, 56), UVec3::new(128, 128, 16));
@@ -27,12 +26,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     check(&mesh, &distance, &dense[..100]);
 
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    pool.install(|| {
-        time("random, one by one", random.len(), || random.iter().map(|&point| distance.sample(point).distance).sum());
-        for (name, points) in [("rows of a lattice of 128^3", &rows), ("cells of 8^3 at 1/2048", &dense)] {
-            time(name, points.len(), || distance.sample_all(points).iter().map(|s| s.distance).sum());
-        }
-    });
+    for method in [SignMethod::Pseudonormal, SignMethod::Winding, SignMethod::Rays] {
+        println!("{method:?}");
+        let distance = SignedDistance::new(&mesh, method);
+        pool.install(|| {
+            let one_by_one = || random.iter().map(|&point| distance.sample(point).distance).sum();
+            time("random, one by one", random.len(), one_by_one);
+            for (name, points) in [("rows of a lattice of 128^3", &rows), ("cells of 8^3 at 1/2048", &dense)] {
+                time(name, points.len(), || distance.sample_all(points).iter().map(|s| s.distance).sum());
+            }
+        });
+    }
     Ok(())
 }
 
@@ -44,7 +48,7 @@ fn time(name: &str, count: usize, work: impl Fn() -> f64) {
         started.elapsed().as_secs_f64()
     };
     let best = (0..5).map(|_| round()).fold(f64::INFINITY, f64::min);
-    println!("{name}: {:.3} us a point", best * 1e6 / count as f64);
+    println!("  {name}: {:.3} us a point", best * 1e6 / count as f64);
 }
 
 fn check(mesh: &CheckedMesh, distance: &SignedDistance, points: &[DVec3]) {

@@ -61,15 +61,16 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
 
     // 1. The exact distance.
     stopwatch.stage("distance");
-    let sign_method = settings.sign.resolve(&mesh.topology);
-    let distance = SignedDistance::new(mesh, sign_method);
+    let (distance, decision) = SignedDistance::choose(mesh, settings.sign);
 
     let provenance = Provenance {
         mesh_hash: mesh.hash(),
         settings_hash: settings.hash(),
-        sign_method: match sign_method {
+        sign_method: match decision.method {
             SignMethod::Pseudonormal => layout::sign_method::PSEUDONORMAL,
             SignMethod::Winding => layout::sign_method::WINDING,
+            SignMethod::Rays => layout::sign_method::RAYS,
+            SignMethod::Sheet { .. } => layout::sign_method::SHEET,
         },
         diagonal,
         target_error: target,
@@ -85,8 +86,7 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
     write_contract(&mut bytes, &measurement.contract());
 
-    let report =
-        Report { sign_method: Some(sign_method), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
+    let report = Report { sign: Some(decision), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
 }
 
@@ -123,7 +123,7 @@ pub fn bake_function(
     let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
     let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
     write_contract(&mut bytes, &measurement.contract());
-    let report = Report { sign_method: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
+    let report = Report { sign: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
 }
 

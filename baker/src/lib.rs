@@ -10,6 +10,7 @@ pub mod field_function;
 pub mod geometry;
 pub mod grid;
 pub mod import;
+pub mod inspect;
 pub mod mesh;
 pub mod morton;
 pub mod octree;

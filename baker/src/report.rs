@@ -1,6 +1,6 @@
 //! What a bake did, and how long it took.
 
-use crate::distance::SignMethod;
+use crate::distance::SignDecision;
 use crate::progress::Progress;
 use crate::verify::Measurement;
 use cpu_time::ProcessTime;
@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Where the sign came from; `None` for a function.
-    pub sign_method: Option<SignMethod>,
+    pub sign: Option<SignDecision>,
     /// Leaves of each level below the root grid; none for a grid.
     pub leaves_by_level: Vec<usize>,
     /// Points at which the exact distance was sampled to build the field.

@@ -82,9 +82,11 @@ fn query(field: &Field<'_>, bytes: &[u8]) -> usize {
     };
     let inside = [0.0, 0.5, 1.0];
     let octree = field.octree().into_iter();
-    let leaves = octree.flat_map(|octree| octree.leaves().take(MOST_LEAVES).map(move |leaf| octree.evaluate(&leaf, inside)));
+    let leaves =
+        octree.flat_map(|octree| octree.leaves().take(MOST_LEAVES).map(move |leaf| octree.evaluate(&leaf, inside)));
     let polynomials = field.polynomial_octree().into_iter();
-    let others = polynomials.flat_map(|octree| octree.leaves().take(MOST_LEAVES).map(move |leaf| octree.evaluate(&leaf, inside)));
+    let others = polynomials
+        .flat_map(|octree| octree.leaves().take(MOST_LEAVES).map(move |leaf| octree.evaluate(&leaf, inside)));
     leaves.chain(others).map(finite).count()
 }
 

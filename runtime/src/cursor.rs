@@ -1,10 +1,11 @@
 //! Queries that remember a leaf.
 
-use crate::field::{Field, Shape};
+use crate::field::Field;
 use crate::hermite::Jets;
 use crate::lattice::Leaf;
 use crate::octree::Octree;
 use crate::polynomial_octree::Visit;
+use crate::representation::{Any, Kind, Representation};
 
 /// Answers queries that are near one another: a ray's steps, a particle's path, the points of a row.
 ///
@@ -19,27 +20,27 @@ use crate::polynomial_octree::Visit;
 /// # }
 /// ```
 #[derive(Clone, Debug)]
-pub struct Cursor<'a> {
-    field: Field<'a>,
+pub struct Cursor<'a, R = Any<'a>> {
+    field: Field<'a, R>,
     leaf: Option<Leaf>,
     jets: Jets,
     visit: Visit,
 }
 
-impl<'a> Cursor<'a> {
-    pub(crate) fn new(field: Field<'a>) -> Self {
+impl<'a, R: Representation<'a>> Cursor<'a, R> {
+    pub(crate) fn new(field: Field<'a, R>) -> Self {
         Self { field, leaf: None, jets: Jets::default(), visit: Visit::default() }
     }
 
     /// [`Field::distance`], to the bit.
     #[inline]
     pub fn distance(&mut self, point: [f32; 3]) -> f32 {
-        match self.field.shape() {
-            Shape::Octree(octree) if octree.lattice.contains(point) => {
+        match self.field.kind() {
+            Kind::Octree(octree) if octree.lattice.contains(point) => {
                 let (_, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.value_between(&self.jets, local)
             }
-            Shape::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit).0,
+            Kind::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit).0,
             _ => self.field.distance(point),
         }
     }
@@ -47,12 +48,12 @@ impl<'a> Cursor<'a> {
     /// [`Field::distance_and_gradient`], to the bit.
     #[inline]
     pub fn distance_and_gradient(&mut self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        match self.field.shape() {
-            Shape::Octree(octree) if octree.lattice.contains(point) => {
+        match self.field.kind() {
+            Kind::Octree(octree) if octree.lattice.contains(point) => {
                 let (leaf, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.evaluate_between(&leaf, &self.jets, local)
             }
-            Shape::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit),
+            Kind::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit),
             _ => self.field.distance_and_gradient(point),
         }
     }

@@ -21,7 +21,7 @@ pub enum Error {
     Reserved,
     /// The checksum of the header and the section table does not match (§3.4).
     HeaderChecksum,
-    /// The field family is unknown (§3.5).
+    /// The field family is unknown, or not the one that was asked for (§3.5).
     Family,
     /// The sign method is unknown (§3.6).
     SignMethod,
@@ -113,16 +113,17 @@ pub enum Error {
     SampleValue,
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
+impl Error {
+    /// The rule in words: no capital at the start, no full stop at the end.
+    pub const fn text(self) -> &'static str {
+        match self {
             Self::Truncated => "the file is shorter than its header and section table",
             Self::Magic => "the file does not start with the magic number of a Nearfield field",
             Self::Version => "the file's version is not one that this reader knows",
             Self::FileLength => "the file is not as long as its header says",
             Self::Reserved => "a reserved bit is set",
             Self::HeaderChecksum => "the checksum of the header does not match",
-            Self::Family => "the field family is unknown",
+            Self::Family => "the field family is unknown, or not the one that was asked for",
             Self::SignMethod => "the sign method is unknown",
             Self::Bounds => "the box is empty, not finite or too large",
             Self::Quantity => "a quantity in the header is negative, not finite or too large",
@@ -167,7 +168,13 @@ impl fmt::Display for Error {
             Self::OverlapCodes => "the support or the reach of a leaf does not fit the tree",
             Self::GradientCode => "a gradient code is out of range",
             Self::SampleValue => "a sample is not finite or too large",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.text())
     }
 }
 

@@ -6,67 +6,21 @@ use crate::grid::Grid;
 use crate::header::{self, Aabb, ErrorContract, Family, Header};
 use crate::octree::Octree;
 use crate::polynomial_octree::PolynomialOctree;
+use crate::representation::{Any, Kind, Representation};
 use crate::section::{self, Sections};
-use crate::{math, validate, validate_grid, validate_polynomial};
+use crate::{math, validate};
 
 /// A signed distance field in borrowed bytes.
 ///
 /// Copying a field copies a few numbers and two references, never the bytes.
+///
+/// A field reads files of every family. A program that knows which one it has leaves the others out by
+/// [`open_octree`](Field::open_octree), [`open_polynomial_octree`](Field::open_polynomial_octree) or
+/// [`open_grid`](Field::open_grid).
 #[derive(Clone, Copy, Debug)]
-pub struct Field<'a> {
-    shape: Shape<'a>,
+pub struct Field<'a, R = Any<'a>> {
+    shape: R,
     bytes: &'a [u8],
-}
-
-/// What a field's family makes of its sections.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Shape<'a> {
-    Grid(Grid<'a>),
-    Octree(Octree<'a>),
-    Polynomial(PolynomialOctree<'a>),
-}
-
-impl Shape<'_> {
-    #[inline]
-    fn contains(&self, point: [f32; 3]) -> bool {
-        match self {
-            Self::Grid(grid) => grid.contains(point),
-            Self::Octree(octree) => octree.lattice.contains(point),
-            Self::Polynomial(octree) => octree.lattice.contains(point),
-        }
-    }
-
-    /// Value at a point of the box.
-    #[inline]
-    fn value(&self, point: [f32; 3]) -> f32 {
-        match self {
-            Self::Grid(grid) => {
-                let (cell, local) = grid.locate(point);
-                grid.value(cell, local)
-            }
-            Self::Octree(octree) => {
-                let (leaf, local) = octree.locate(point);
-                octree.value(&leaf, local)
-            }
-            Self::Polynomial(octree) => octree.query(point).0,
-        }
-    }
-
-    /// Value and gradient at a point of the box.
-    #[inline]
-    fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        match self {
-            Self::Grid(grid) => {
-                let (cell, local) = grid.locate(point);
-                grid.evaluate(cell, local)
-            }
-            Self::Octree(octree) => {
-                let (leaf, local) = octree.locate(point);
-                octree.evaluate(&leaf, local)
-            }
-            Self::Polynomial(octree) => octree.query(point),
-        }
-    }
 }
 
 impl<'a> Field<'a> {
@@ -79,14 +33,81 @@ impl<'a> Field<'a> {
     ///
     /// The first rule of `SPEC.md` §3 to §5, §11 and §12 that the bytes break.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
-        header::check(bytes)?;
-        let bounds = header::bounds_of(bytes);
-        let shape = match header::family_of(bytes)? {
-            Family::Grid => Shape::Grid(Grid::open(bytes, bounds)?),
-            Family::Octree => Shape::Octree(Octree::open(bytes, bounds)?),
-            Family::Polynomial => Shape::Polynomial(PolynomialOctree::open(bytes, bounds)?),
-        };
-        Ok(Self { shape, bytes })
+        open(bytes, None)
+    }
+
+    /// The octree, for those who walk its leaves; `None` for another family.
+    pub fn octree(&self) -> Option<Octree<'a>> {
+        match self.shape {
+            Any::Octree(octree) => Some(octree),
+            _ => None,
+        }
+    }
+
+    /// The grid, for those who read its samples; `None` for another family.
+    pub fn grid(&self) -> Option<Grid<'a>> {
+        match self.shape {
+            Any::Grid(grid) => Some(grid),
+            _ => None,
+        }
+    }
+
+    /// The octree of polynomials, for those who walk its leaves; `None` for another family.
+    pub fn polynomial_octree(&self) -> Option<PolynomialOctree<'a>> {
+        match self.shape {
+            Any::Polynomial(octree) => Some(octree),
+            _ => None,
+        }
+    }
+}
+
+impl<'a> Field<'a, Octree<'a>> {
+    /// Opens an octree, as [`Field::open`] does.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Family`] also for another family.
+    pub fn open_octree(bytes: &'a [u8]) -> Result<Self, Error> {
+        open(bytes, Some(Family::Octree))
+    }
+}
+
+impl<'a> Field<'a, PolynomialOctree<'a>> {
+    /// Opens an octree of polynomials, as [`Field::open`] does.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Family`] also for another family.
+    pub fn open_polynomial_octree(bytes: &'a [u8]) -> Result<Self, Error> {
+        open(bytes, Some(Family::Polynomial))
+    }
+}
+
+impl<'a> Field<'a, Grid<'a>> {
+    /// Opens a grid, as [`Field::open`] does.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Family`] also for another family.
+    pub fn open_grid(bytes: &'a [u8]) -> Result<Self, Error> {
+        open(bytes, Some(Family::Grid))
+    }
+}
+
+fn open<'a, R: Representation<'a>>(bytes: &'a [u8], family: Option<Family>) -> Result<Field<'a, R>, Error> {
+    header::check(bytes)?;
+    let is_other = |family| header::family_of(bytes) != Ok(family);
+    if family.is_some_and(is_other) {
+        return Err(Error::Family);
+    }
+    let shape = R::open(bytes, header::bounds_of(bytes))?;
+    Ok(Field { shape, bytes })
+}
+
+impl<'a, R: Representation<'a>> Field<'a, R> {
+    /// What the field is made of.
+    pub fn representation(&self) -> R {
+        self.shape
     }
 
     /// Checks every byte against the format, in time proportional to the file and without memory.
@@ -96,11 +117,7 @@ impl<'a> Field<'a> {
     /// The first rule of `SPEC.md` §4 to §8, §11 and §12 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
-        match &self.shape {
-            Shape::Grid(grid) => validate_grid::grid(grid),
-            Shape::Octree(octree) => validate::octree(octree),
-            Shape::Polynomial(octree) => validate_polynomial::octree(self.bytes, octree),
-        }
+        self.shape.validate(self.bytes)
     }
 
     /// Signed distance from a point to the surface: mesh units, negative inside.
@@ -110,7 +127,10 @@ impl<'a> Field<'a> {
     /// [`f32::MAX`]. NaN if a coordinate is NaN, infinite if one is infinite.
     #[inline]
     pub fn distance(&self, point: [f32; 3]) -> f32 {
-        if self.shape.contains(point) { self.shape.value(point) } else { self.outside(point).0 }
+        // One call for points inside and outside: its code is there once.
+        let beyond = if self.shape.contains(point) { None } else { Some(self.beyond(point)) };
+        let value = self.shape.value(beyond.as_ref().map_or(point, |beyond| beyond.nearest));
+        beyond.map_or(value, |beyond| beyond.answer(value).0)
     }
 
     /// Signed distance, as [`distance`](Self::distance) to the bit, and gradient.
@@ -120,7 +140,9 @@ impl<'a> Field<'a> {
     /// in all components if a coordinate is NaN; infinite coordinates outweigh all others.
     #[inline]
     pub fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        if self.shape.contains(point) { self.shape.evaluate(point) } else { self.outside(point) }
+        let beyond = if self.shape.contains(point) { None } else { Some(self.beyond(point)) };
+        let answer = self.shape.evaluate(beyond.as_ref().map_or(point, |beyond| beyond.nearest));
+        beyond.map_or(answer, |beyond| beyond.answer(answer.0))
     }
 
     /// [`distance`](Self::distance) at each point. Stops at the shorter slice; returns how many
@@ -148,7 +170,7 @@ impl<'a> Field<'a> {
     }
 
     /// A cursor, which answers queries that are near one another faster.
-    pub fn cursor(&self) -> Cursor<'a> {
+    pub fn cursor(&self) -> Cursor<'a, R> {
         Cursor::new(*self)
     }
 
@@ -167,53 +189,46 @@ impl<'a> Field<'a> {
         section::sections(self.bytes)
     }
 
-    /// The octree, for those who walk its leaves; `None` for another family.
-    pub fn octree(&self) -> Option<Octree<'a>> {
-        match self.shape {
-            Shape::Octree(octree) => Some(octree),
-            _ => None,
-        }
-    }
-
-    /// The field where it lies.
+    /// What the field is made of, where it lies.
     #[inline]
-    pub(crate) fn shape(&self) -> &Shape<'a> {
-        &self.shape
+    pub(crate) fn kind(&self) -> Kind<'_, 'a> {
+        self.shape.kind()
     }
 
-    /// The octree of polynomials, for those who walk its leaves; `None` for another family.
-    pub fn polynomial_octree(&self) -> Option<PolynomialOctree<'a>> {
-        match self.shape {
-            Shape::Polynomial(octree) => Some(octree),
-            _ => None,
-        }
-    }
-
-    /// The grid, for those who read its samples; `None` for another family.
-    pub fn grid(&self) -> Option<Grid<'a>> {
-        match self.shape {
-            Shape::Grid(grid) => Some(grid),
-            _ => None,
-        }
-    }
-
-    /// The answer for a point that the box does not contain.
+    /// How a point that the box does not contain lies to it.
     #[cold]
-    fn outside(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+    #[inline(never)]
+    fn beyond(&self, point: [f32; 3]) -> Beyond {
+        let Aabb { min, max } = header::bounds_of(self.bytes);
         if point.iter().any(|component| component.is_nan()) {
-            return (f32::NAN, [f32::NAN; 3]);
+            return Beyond { nearest: min, distance: f32::NAN, direction: [f32::NAN; 3] };
         }
         if point.iter().any(|component| component.is_infinite()) {
             let toward = point.map(|x| if x.is_infinite() { 1.0_f32.copysign(x) } else { 0.0 });
-            return (f32::INFINITY, math::length_and_direction(toward).1);
+            return Beyond { nearest: min, distance: f32::INFINITY, direction: math::length_and_direction(toward).1 };
         }
 
-        let Aabb { min, max } = header::bounds_of(self.bytes);
         let nearest = [0, 1, 2].map(|axis: usize| point[axis].max(min[axis]).min(max[axis]));
         let away = [0, 1, 2].map(|axis: usize| point[axis] - nearest[axis]);
-        let (distance_to_box, direction) = math::length_and_direction(away);
+        let (distance, direction) = math::length_and_direction(away);
+        Beyond { nearest, distance, direction }
+    }
+}
 
-        let distance = self.shape.value(nearest) + distance_to_box;
-        (distance.min(f32::MAX), direction)
+/// A point outside the box, seen from it.
+struct Beyond {
+    /// Nearest point of the box.
+    nearest: [f32; 3],
+    /// From there to the point: at most [`f32::MAX`], or what a point that is not finite makes it.
+    distance: f32,
+    direction: [f32; 3],
+}
+
+impl Beyond {
+    /// The answer for the point, from the value at the nearest point of the box.
+    fn answer(self, value: f32) -> (f32, [f32; 3]) {
+        let is_finite = self.distance <= f32::MAX;
+        let distance = if is_finite { (value + self.distance).min(f32::MAX) } else { self.distance };
+        (distance, self.direction)
     }
 }

@@ -140,6 +140,7 @@ impl Grid<'_> {
     }
 
     /// A sample of any order (SPEC.md §11.3).
+    #[inline(never)]
     pub(crate) fn polynomial(&self, at: [u32; 3]) -> Polynomial {
         let mut numbers = [0.0; TERMS];
         let index = self.index(at);

@@ -37,6 +37,10 @@ pub enum SignMethod {
     Pseudonormal,
     /// Generalized winding numbers (Jacobson et al. 2013).
     Winding,
+    /// The majority of rays that count crossings.
+    Rays,
+    /// There is no inside: the unsigned distance less half the thickness of a sheet.
+    Sheet,
 }
 
 /// The header of a field, apart from its error contract.
@@ -178,6 +182,8 @@ fn sign_method_of(bytes: &[u8]) -> Result<SignMethod, Error> {
         sign_method::NONE => Ok(SignMethod::None),
         sign_method::PSEUDONORMAL => Ok(SignMethod::Pseudonormal),
         sign_method::WINDING => Ok(SignMethod::Winding),
+        sign_method::RAYS => Ok(SignMethod::Rays),
+        sign_method::SHEET => Ok(SignMethod::Sheet),
         _ => Err(Error::SignMethod),
     }
 }

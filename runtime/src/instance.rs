@@ -2,13 +2,14 @@
 
 use crate::field::Field;
 use crate::math;
+use crate::representation::{Any, Representation};
 
 /// A field placed in a world. Distances and gradients are the world's.
 ///
 /// Worst-case cost: that of the field, and two products of a matrix and a vector.
 #[derive(Clone, Copy, Debug)]
-pub struct Instance<'a> {
-    field: Field<'a>,
+pub struct Instance<'a, R = Any<'a>> {
+    field: Field<'a, R>,
     /// Columns: where the mesh's axes point in the world, each as long as the scale.
     axes: [[f32; 3]; 3],
     origin: [f32; 3],
@@ -30,14 +31,14 @@ impl core::fmt::Display for NotASimilarity {
 
 impl core::error::Error for NotASimilarity {}
 
-impl<'a> Instance<'a> {
+impl<'a, R: Representation<'a>> Instance<'a, R> {
     /// Places a field: its point p is at `axes[0] p.x + axes[1] p.y + axes[2] p.z + origin` in the world.
     ///
     /// # Errors
     ///
     /// Unless the three axes are at right angles and equally long, within 1e-4, and their length is from 2⁻²⁰ to 2²⁰.
     /// They may be left-handed: a mirrored field.
-    pub fn new(field: Field<'a>, axes: [[f32; 3]; 3], origin: [f32; 3]) -> Result<Self, NotASimilarity> {
+    pub fn new(field: Field<'a, R>, axes: [[f32; 3]; 3], origin: [f32; 3]) -> Result<Self, NotASimilarity> {
         const TOLERANCE: f32 = 1e-4;
         const LARGEST: f32 = (1 << 20) as f32;
         let is_usable = |axis: &[f32; 3]| axis.iter().all(|part| part.abs() <= LARGEST) && *axis != [0.0; 3];
@@ -76,7 +77,7 @@ impl<'a> Instance<'a> {
     }
 
     /// The field.
-    pub fn field(&self) -> Field<'a> {
+    pub fn field(&self) -> Field<'a, R> {
         self.field
     }
 

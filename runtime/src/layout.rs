@@ -129,6 +129,10 @@ pub mod sign_method {
     pub const PSEUDONORMAL: u8 = 1;
     /// Generalized winding numbers (Jacobson et al. 2013).
     pub const WINDING: u8 = 2;
+    /// Majority of rays that count crossings.
+    pub const RAYS: u8 = 3;
+    /// No inside: the unsigned distance less half the thickness of a sheet.
+    pub const SHEET: u8 = 4;
 }
 
 /// Section kinds: four ASCII letters, read as a little-endian `u32`.

@@ -44,6 +44,11 @@
 extern crate std;
 
 mod blend;
+/// The programs of the guide.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/reader.md")]
+struct Guide;
+
 mod bytes;
 mod checksum;
 mod cursor;
@@ -68,6 +73,7 @@ mod polynomial_octree;
 mod range;
 mod reconstruct;
 mod region;
+mod representation;
 pub mod sample;
 mod section;
 #[cfg(test)]
@@ -87,4 +93,5 @@ pub use lattice::Leaf;
 pub use march::{ClosestPoint, RayHit, Raycast};
 pub use octree::{Continuity, Interpolant, Leaves, Octree};
 pub use polynomial_octree::PolynomialOctree;
+pub use representation::{Any, Representation};
 pub use section::{Section, Sections};

@@ -3,6 +3,7 @@
 use crate::field::Field;
 use crate::header::Aabb;
 use crate::math;
+use crate::representation::Representation;
 
 /// Most queries of a [`Field::raycast`].
 const MAX_RAY_STEPS: u32 = 512;
@@ -52,7 +53,7 @@ pub struct ClosestPoint {
     pub steps: u32,
 }
 
-impl Field<'_> {
+impl<'a, R: Representation<'a>> Field<'a, R> {
     /// Follows a ray to the surface by sphere tracing (Hart 1996), inside the box, with at most 512 queries.
     ///
     /// `direction` needs no unit length; `length` and `within` are mesh units. The ray stops where the field is at

@@ -120,10 +120,14 @@ impl<'a> Bits<'a> {
     /// Bits of the leaf.
     pub(crate) fn length(&self, octree: &PolynomialOctree<'_>) -> u32 {
         const TERMS: [u32; 4] = [1, 3, 6, 10];
-        let polynomials = if self.shape.is_single() { 1 } else { 2 };
-        let degrees = (0..polynomials).flat_map(|polynomial| 0..=self.shape.degree(polynomial));
-        let bits = degrees.map(|degree| self.shape.width(degree as usize & 3) * TERMS[degree as usize & 3]);
-        u32::from(octree.header_bits) + bits.sum::<u32>()
+        let mut bits = u32::from(octree.header_bits);
+        for (terms, degree) in TERMS.into_iter().zip(0..) {
+            let is_in_first = degree <= self.shape.degree(0);
+            let is_in_second = !self.shape.is_single() && degree <= self.shape.degree(1);
+            let polynomials = u32::from(is_in_first) + u32::from(is_in_second);
+            bits += polynomials * terms * self.shape.width(degree as usize);
+        }
+        bits
     }
 
     /// Writes the polynomials.

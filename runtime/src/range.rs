@@ -4,11 +4,12 @@ use crate::field::Field;
 use crate::header::Aabb;
 use crate::march::nearest;
 use crate::math;
+use crate::representation::Representation;
 
 /// Parts along each axis into which a box is divided for its [`Field::range`].
 const PARTS: u32 = 4;
 
-impl Field<'_> {
+impl<'a, R: Representation<'a>> Field<'a, R> {
     /// Bounds of the field over a box, mesh units: no value in it is less than the first or greater than the
     /// second. Takes 64 queries.
     ///

@@ -51,7 +51,7 @@ impl MeshShape {
             *position = (*position - centre) * scale;
         }
         let mesh = CheckedMesh::new(soup).expect("a mesh");
-        let distance = SignedDistance::new(&mesh, SignChoice::Auto.resolve(&mesh.topology));
+        let distance = SignedDistance::choose(&mesh, SignChoice::Auto).0;
         Self { name, origin, mesh, distance }
     }
 }

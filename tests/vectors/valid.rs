@@ -69,7 +69,7 @@ pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
     for (name, continuity) in [("c0", 1), ("c1", 2)] {
         add(&format!("continuity_{name}"), Octree { continuity, ..octree_of_one_leaf() }.file());
     }
-    for (name, sign_method) in [("none", 0), ("winding", 2)] {
+    for (name, sign_method) in [("none", 0), ("winding", 2), ("rays", 3), ("sheet", 4)] {
         add(&format!("sign_method_{name}"), File { sign_method, ..octree_of_one_leaf().file() });
     }
     let unmeasured = File { contract: [0.0; 7], sample_count: 0, doubtful_signs: 0, ..octree_of_one_leaf().file() };

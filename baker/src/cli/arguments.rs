@@ -2,7 +2,7 @@
 
 use super::exit_code::Failure;
 use clap::{Args, ValueEnum};
-use nearfield_bake::distance::SignChoice;
+use nearfield_bake::distance::{SignChoice, SignMethod};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZeroUsize;
 use std::str::FromStr;
@@ -34,21 +34,50 @@ impl Threads {
 /// Where the sign of the distance comes from.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(super) enum Sign {
-    /// Pseudonormals on closed, consistently wound meshes, winding numbers elsewhere
+    /// What suits the mesh: the summary says which and why
     Auto,
-    /// Angle-weighted pseudonormals: exact on closed, consistently wound meshes
+    /// Angle-weighted pseudonormals: exact on closed surfaces that cross themselves nowhere
     Pseudonormal,
-    /// Generalized winding numbers: for open or overlapping meshes
+    /// Generalized winding numbers: for open, overlapping and self-intersecting meshes
     Winding,
+    /// Rays that vote: for triangles that face all ways
+    Rays,
+    /// No inside: leaves, cloth and paper as thick as --thickness
+    Sheet,
 }
 
-impl From<Sign> for SignChoice {
-    fn from(sign: Sign) -> Self {
-        match sign {
-            Sign::Auto => Self::Auto,
-            Sign::Pseudonormal => Self::Pseudonormal,
-            Sign::Winding => Self::Winding,
+/// Where the sign comes from, and what that needs.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct SignArguments {
+    /// Where the sign comes from
+    #[arg(long, value_enum, value_name = "S", default_value_t = Sign::Auto)]
+    sign: Sign,
+
+    /// How thick a sheet is, mesh units: the field is the unsigned distance less half of it
+    #[arg(long, value_name = "T", value_parser = not_negative, required_if_eq("sign", "sheet"))]
+    thickness: Option<f64>,
+}
+
+impl SignArguments {
+    pub(super) fn choice(self) -> Result<SignChoice, Failure> {
+        match (self.sign, self.thickness) {
+            (Sign::Sheet, thickness) => Ok(SignChoice::Sheet { thickness: thickness.unwrap_or_default() }),
+            (_, Some(_)) => Err(Failure::Usage("--thickness goes with --sign sheet".to_owned())),
+            (Sign::Auto, None) => Ok(SignChoice::Auto),
+            (Sign::Pseudonormal, None) => Ok(SignChoice::Pseudonormal),
+            (Sign::Winding, None) => Ok(SignChoice::Winding),
+            (Sign::Rays, None) => Ok(SignChoice::Rays),
         }
+    }
+}
+
+/// The method that a file's header names; sheets need the thickness, which no header holds.
+pub(super) fn method_of(header: nearfield::SignMethod, thickness: f64) -> SignMethod {
+    match header {
+        nearfield::SignMethod::Winding => SignMethod::Winding,
+        nearfield::SignMethod::Rays => SignMethod::Rays,
+        nearfield::SignMethod::Sheet => SignMethod::Sheet { thickness },
+        _ => SignMethod::Pseudonormal,
     }
 }
 

@@ -1,20 +1,22 @@
 //! `nearfield bake`: a mesh to a field.
 
-use super::arguments::{Sign, Threads, not_negative, positive};
+use super::arguments::{SignArguments, Threads, not_negative, positive};
 use super::exit_code::Failure;
 use super::grid_arguments::GridArguments;
+use super::mesh_arguments::MeshArguments;
 use super::progress_bar::TerminalProgress;
 use super::{bake_report, files, print, tell, to_json};
 use clap::{Args, FromArgMatches, ValueEnum};
 use nearfield::layout::octree::MAX_DEPTH;
 use nearfield_bake::batch::Asset;
 use nearfield_bake::depfile;
+use nearfield_bake::import;
 use nearfield_bake::report::Stopwatch;
 use nearfield_bake::settings::{self, Settings, Target};
+use nearfield_bake::verify::Measurement;
 use nearfield_bake::{BakeError, bake};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::slice;
 
 /// Bake a mesh into a field
 ///
@@ -30,7 +32,7 @@ Examples:
   nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
   nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed")]
 pub(super) struct Bake {
-    /// The mesh: OBJ or PLY
+    /// The mesh: OBJ, STL, PLY, OFF, glTF or GLB
     mesh: PathBuf,
 
     /// The field to write; `-` is standard output
@@ -69,9 +71,12 @@ pub(super) struct Bake {
     #[arg(long, value_name = "M", value_parser = not_negative, default_value_t = Settings::default().margin)]
     margin: f64,
 
-    /// Where the sign comes from
-    #[arg(long, value_enum, value_name = "S", default_value_t = Sign::Auto)]
-    sign: Sign,
+    #[command(flatten)]
+    sign: SignArguments,
+
+    /// Write no field, and exit with 1, when the sign of a measured point is a guess
+    #[arg(long)]
+    fail_on_doubt: bool,
 
     /// Points at which the finished field is measured, uniform in the mesh's box and as many near the surface
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), default_value_t = Settings::default().samples)]
@@ -79,6 +84,9 @@ pub(super) struct Bake {
 
     #[command(flatten)]
     grid: GridArguments,
+
+    #[command(flatten)]
+    pub(super) reading: MeshArguments,
 
     #[command(flatten)]
     threads: Threads,
@@ -133,6 +141,7 @@ enum Precision {
 impl Bake {
     pub(super) fn run(self) -> Result<(), Failure> {
         let settings = self.settings()?;
+        let options = self.reading.read_options()?;
         self.check_outputs()?;
 
         // Mesh to field.
@@ -140,12 +149,13 @@ impl Bake {
         let (mesh, reading, baked) = self.threads.run(|| {
             let mut stopwatch = Stopwatch::start(&progress);
             stopwatch.stage("read");
-            let mesh = files::read_mesh(&self.mesh)?;
+            let mesh = files::read_mesh(&self.mesh, &options)?;
             let reading = stopwatch.stop();
             let baked = bake(&mesh, &settings, &progress).map_err(|error| bake_failure(&error, &self.mesh))?;
             Ok((mesh, reading, baked))
         })?;
         progress.clear();
+        self.check_doubt(&baked.report.measurement)?;
 
         // What was asked for.
         if self.if_changed {
@@ -206,12 +216,35 @@ impl Bake {
         self.dependencies().map(drop)
     }
 
+    /// The quality gate of --fail-on-doubt.
+    pub(super) fn check_doubt(&self, measurement: &Measurement) -> Result<(), Failure> {
+        match measurement.doubtful_signs {
+            doubtful if doubtful > 0 && self.fail_on_doubt => Err(Failure::Verification(format!(
+                "{}: {}; close the holes, choose another --sign, or leave --fail-on-doubt away",
+                self.mesh.display(),
+                bake_report::doubt(measurement)
+            ))),
+            _ => Ok(()),
+        }
+    }
+
     /// The text of the dependency file.
     fn dependencies(&self) -> Result<String, Failure> {
         if self.depfile.is_none() {
             return Ok(String::new());
         }
-        depfile::rule(&self.output, slice::from_ref(&self.mesh)).map_err(|error| Failure::Usage(error.to_string()))
+        depfile::rule(&self.output, &self.inputs()?).map_err(|error| Failure::Usage(error.to_string()))
+    }
+
+    /// The files that are read: the mesh and what it refers to.
+    pub(super) fn inputs(&self) -> Result<Vec<PathBuf>, Failure> {
+        import::inputs(&self.mesh).map_err(|error| Failure::Input(error.to_string()))
+    }
+
+    /// Hash of everything in these arguments that decides the bytes of the field.
+    pub(super) fn hash(&self) -> Result<[u8; 8], Failure> {
+        let settings = self.settings()?.hash();
+        Ok(self.reading.read_options()?.hash_onto(settings))
     }
 
     /// The request that these arguments make.
@@ -238,7 +271,7 @@ impl Bake {
             start_depth: self.start_depth,
             max_depth: self.max_depth,
             margin: self.margin,
-            sign: self.sign.into(),
+            sign: self.sign.choice()?,
             samples: self.samples,
         };
 

@@ -4,9 +4,10 @@ use super::error_table::{self, MeasurementReport};
 use super::info::InfoReport;
 use nearfield::Field;
 use nearfield_bake::distance::SignMethod;
-use nearfield_bake::mesh::CheckedMesh;
+use nearfield_bake::mesh::{CheckedMesh, Role};
 use nearfield_bake::report::{Report, Stage};
 use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
+use nearfield_bake::verify::Measurement;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fs;
@@ -19,21 +20,15 @@ const SCHEMA: u32 = 1;
 pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report) -> Vec<String> {
     let mut warnings = Vec::new();
 
-    let obstacle = mesh.topology.pseudonormal_obstacle();
-    let is_inside_out = obstacle.is_none() && mesh.signed_volume() < 0.0;
-    if let Some(obstacle) = obstacle {
-        let consequence = match report.sign_method {
-            Some(SignMethod::Winding) => "the sign comes from winding numbers",
-            _ => "the sign may be wrong; use --sign auto",
-        };
-        warnings.push(format!("{obstacle}; {consequence}"));
+    if let (Some(sign), Some(obstacle)) = (&report.sign, mesh.oriented.pseudonormal_obstacle()) {
+        warnings.push(match sign.method {
+            SignMethod::Pseudonormal => format!("{obstacle}; the sign may be wrong; use --sign auto"),
+            method => format!("{obstacle}; the sign comes from {}, {}", sign_name(method), sign.reason),
+        });
     }
-    if is_inside_out {
-        let consequence = match report.sign_method {
-            Some(SignMethod::Winding) => "no point counts as inside",
-            _ => "distances are negative outside",
-        };
-        warnings.push(format!("the mesh is inside out, so {consequence}; flip its triangles"));
+    warnings.extend(orientation_changes(mesh));
+    if report.measurement.doubtful_signs > 0 {
+        warnings.push(doubt(&report.measurement));
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
     if settings.layout == Layout::Octree && report.measurement.uniform.rmse > target {
@@ -43,6 +38,46 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         ));
     }
     warnings
+}
+
+/// What was done for the sign, to triangles that the file keeps as they are.
+fn orientation_changes(mesh: &CheckedMesh) -> Option<String> {
+    let turned = mesh.orientation.count(Role::Turned);
+    let changes: Vec<String> = [
+        (turned, "turned over"),
+        (mesh.orientation.count(Role::Duplicate), "left out as copies"),
+        (mesh.orientation.count(Role::Wall), "ignored as walls inside"),
+    ]
+    .into_iter()
+    .filter(|&(count, _)| count > 0)
+    .map(|(count, change)| format!("{count} {change}"))
+    .collect();
+    if turned == mesh.triangles.len() {
+        return Some("the mesh is inside out: for the sign, all its triangles were turned over".into());
+    }
+    (!changes.is_empty()).then(|| format!("for the sign, some triangles count otherwise: {}", changes.join(", ")))
+}
+
+/// How many signs are guesses, and where the first of them is.
+pub(super) fn doubt(measurement: &Measurement) -> String {
+    let points = 2 * measurement.samples;
+    let place = measurement.doubtful_places.first().map(|[x, y, z]| format!(", first at ({x}, {y}, {z})"));
+    let share = 100.0 * measurement.doubtful_signs as f64 / f64::from(points);
+    format!(
+        "the sign of {} measured points ({share:.2} %) is a guess{}",
+        measurement.doubtful_signs,
+        place.unwrap_or_default()
+    )
+}
+
+/// The method as `--sign` names it.
+pub(super) fn sign_name(method: SignMethod) -> &'static str {
+    match method {
+        SignMethod::Pseudonormal => "pseudonormals",
+        SignMethod::Winding => "winding numbers",
+        SignMethod::Rays => "rays",
+        SignMethod::Sheet { .. } => "the thickness of a sheet",
+    }
 }
 
 /// The summary on the terminal.
@@ -70,6 +105,12 @@ pub(super) fn summary(
         text += &format!("  without {} degenerate triangles\n", topology.degenerate_triangles);
     }
 
+    let [min, max] = [mesh.bounds.min, mesh.bounds.max];
+    text += &format!("  in ({}, {}, {}) to ({}, {}, {})\n", min.x, min.y, min.z, max.x, max.y, max.z);
+    if let Some(sign) = &report.sign {
+        text += &format!("  sign from {}, {}\n", sign_name(sign.method), sign.reason);
+    }
+
     let info = InfoReport::of(field);
     text += &format!("{}: {} bytes, {}\n", field_path.display(), info.bytes(), info.cells());
     text += &error_table::table(&field.contract(), field.header().diagonal);
@@ -91,6 +132,7 @@ pub(super) fn summary(
 pub(super) struct BakeReport {
     schema: u32,
     mesh: MeshReport,
+    sign: Option<SignReport>,
     settings: SettingsReport,
     field: InfoReport,
     measured: MeasurementReport,
@@ -115,6 +157,24 @@ struct MeshReport {
     inconsistent_edges: usize,
     non_manifold_vertices: usize,
     components: usize,
+    /// Triangles that were turned over for the sign.
+    turned_triangles: usize,
+    /// Triangles left out because others have the same corners.
+    duplicate_triangles: usize,
+    /// Triangles that both sides of a closed surface share: they bear on no sign.
+    wall_triangles: usize,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct SignReport {
+    method: &'static str,
+    reason: String,
+    /// Pairs of triangles that cross; absent if they were not looked for.
+    self_intersections: Option<usize>,
+    /// Measured points whose sign is a guess.
+    doubtful: usize,
+    /// The first of these.
+    doubtful_places: Vec<[f32; 3]>,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -167,7 +227,17 @@ pub(super) fn report(
             inconsistent_edges: topology.inconsistent_edges,
             non_manifold_vertices: topology.non_manifold_vertices,
             components: topology.components,
+            turned_triangles: mesh.orientation.count(Role::Turned),
+            duplicate_triangles: mesh.orientation.count(Role::Duplicate),
+            wall_triangles: mesh.orientation.count(Role::Wall),
         },
+        sign: report.sign.as_ref().map(|sign| SignReport {
+            method: sign_name(sign.method),
+            reason: sign.reason.clone(),
+            self_intersections: sign.self_intersections,
+            doubtful: report.measurement.doubtful_signs,
+            doubtful_places: report.measurement.doubtful_places.clone(),
+        }),
         settings: SettingsReport {
             error,
             error_is_relative,

@@ -169,8 +169,8 @@ impl Batch {
         let Job { asset, arguments, cache } = job;
         let settings = arguments.settings()?;
         let unreadable = |error| Failure::Input(format!("cannot read {error}; check the path and its permissions"));
-        let inputs = [asset.mesh.clone()];
-        let change = examine(cache, &inputs, settings.hash(), &asset.field, self.force).map_err(unreadable)?;
+        let inputs = arguments.inputs()?;
+        let change = examine(cache, &inputs, arguments.hash()?, &asset.field, self.force).map_err(unreadable)?;
 
         // What need not be baked.
         let (reason, inputs) = match change {
@@ -198,11 +198,12 @@ impl Batch {
 
         // What must be.
         files::check_output(&asset.field, &asset.mesh)?;
-        let mesh = files::read_mesh(&asset.mesh)?;
+        let mesh = files::read_mesh(&asset.mesh, &arguments.reading.read_options()?)?;
         if let Some(path) = inputs.disturbed() {
             return Err(Failure::Input(format!("{} changed while it was read; run the batch again", path.display())));
         }
         let baked = bake(&mesh, &settings, &Silent).map_err(|error| bake_failure(&error, &asset.mesh))?;
+        arguments.check_doubt(&baked.report.measurement)?;
         files::write_bytes_if_changed(&asset.field, &baked.bytes)?;
         if let Err(error) = cache.keep(&inputs.key, &baked.bytes) {
             tell(&format!("warning: {}: the cache did not take it: {error}\n", asset.field.display()));

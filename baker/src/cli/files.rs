@@ -2,7 +2,7 @@
 
 use super::exit_code::Failure;
 use nearfield::Field;
-use nearfield_bake::import;
+use nearfield_bake::import::{self, ReadOptions};
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::output;
 use std::fs;
@@ -14,10 +14,27 @@ pub(super) fn is_standard_stream(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// A mesh, welded and checked.
-pub(super) fn read_mesh(path: &Path) -> Result<CheckedMesh, Failure> {
-    let soup = import::read(path).map_err(|error| Failure::Input(error.to_string()))?;
+/// The wanted parts of a mesh, welded and checked.
+pub(super) fn read_mesh(path: &Path, options: &ReadOptions) -> Result<CheckedMesh, Failure> {
+    let soup = import::read_with(path, options).map_err(|error| Failure::Input(error.to_string()))?;
     CheckedMesh::new(soup).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+}
+
+/// Refuses a mesh that a field was not baked from.
+pub(super) fn refuse_other_mesh(
+    field_path: &Path,
+    field: &Field<'_>,
+    mesh_path: &Path,
+    mesh: &CheckedMesh,
+) -> Result<(), Failure> {
+    if mesh.hash() == field.header().mesh_hash {
+        return Ok(());
+    }
+    Err(Failure::Verification(format!(
+        "{} was not baked from {}: the hash of the mesh differs; name the right mesh or bake again",
+        field_path.display(),
+        mesh_path.display()
+    )))
 }
 
 /// The bytes of a file.

@@ -105,6 +105,8 @@ impl InfoReport {
             sign_method: match header.sign_method {
                 SignMethod::Pseudonormal => "pseudonormal",
                 SignMethod::Winding => "winding",
+                SignMethod::Rays => "rays",
+                SignMethod::Sheet => "sheet",
                 _ => "none",
             },
             octree: field.octree().as_ref().map(OctreeReport::of),

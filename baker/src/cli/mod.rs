@@ -14,7 +14,9 @@ mod files;
 mod generate;
 mod grid_arguments;
 mod info;
+mod inspect;
 mod mesh;
+mod mesh_arguments;
 mod progress_bar;
 mod query;
 mod render;
@@ -40,6 +42,7 @@ enum Command {
     Bake(bake::Bake),
     Batch(batch::Batch),
     Info(info::Info),
+    Inspect(inspect::Inspect),
     Query(query::Query),
     Verify(verify::Verify),
     Diff(diff::Diff),
@@ -58,6 +61,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Bake(command) => command.run(),
         Command::Batch(command) => command.run(),
         Command::Info(command) => command.run(),
+        Command::Inspect(command) => command.run(),
         Command::Query(command) => command.run(),
         Command::Verify(command) => command.run(),
         Command::Slice(command) => command.run(),

@@ -1,12 +1,13 @@
 //! `nearfield render`: a view of a field's surface.
 
-use super::arguments::Threads;
+use super::arguments::{Threads, method_of};
 use super::camera_arguments::CameraArguments;
 use super::exit_code::Failure;
 use super::files;
 use super::progress_bar::TerminalProgress;
 use clap::{Args, ValueEnum};
-use nearfield_bake::distance::{SignMethod, SignedDistance};
+use nearfield_bake::distance::SignedDistance;
+use nearfield_bake::import::ReadOptions;
 use nearfield_bake::picture::{self, Image, Render, Shading, Surface};
 use std::path::{Path, PathBuf};
 
@@ -131,11 +132,8 @@ impl RenderCommand {
 
     fn exact_distance(&self, method: nearfield::SignMethod) -> Result<Option<SignedDistance>, Failure> {
         let Some(path) = &self.mesh else { return Ok(None) };
-        let method = match method {
-            nearfield::SignMethod::Winding => SignMethod::Winding,
-            _ => SignMethod::Pseudonormal,
-        };
-        Ok(Some(SignedDistance::new(&files::read_mesh(path)?, method)))
+        let method = method_of(method, 0.0);
+        Ok(Some(SignedDistance::new(&files::read_mesh(path, &ReadOptions::default())?, method)))
     }
 }
 

@@ -1,8 +1,13 @@
 //! `nearfield slice`: a picture of a plane through a field.
 
+use super::arguments::method_of;
 use super::exit_code::Failure;
 use super::files;
+use super::mesh_arguments::MeshArguments;
 use clap::{Args, ValueEnum};
+use nearfield::Field;
+use nearfield_bake::distance::SignedDistance;
+use nearfield_bake::field_function::FieldFunction;
 use nearfield_bake::picture::{self, Axis, Position, Slice};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -15,7 +20,8 @@ use std::str::FromStr;
 Examples:
   nearfield slice spot.nfd -o spot.png
   nearfield slice spot.nfd -o feet.png --axis y --at 20% --cells
-  nearfield slice spot.nfd -o plane.png --axis z --at 0.35")]
+  nearfield slice spot.nfd -o plane.png --axis z --at 0.35
+  nearfield slice teapot.nfd -o doubt.png --mesh teapot.obj")]
 pub(super) struct SliceCommand {
     /// The field
     field: PathBuf,
@@ -39,6 +45,13 @@ pub(super) struct SliceCommand {
     /// Draw the borders of the leaves
     #[arg(long)]
     cells: bool,
+
+    /// The mesh that the field was baked from: red is where its sign is a guess
+    #[arg(long, value_name = "MESH")]
+    mesh: Option<PathBuf>,
+
+    #[command(flatten)]
+    reading: MeshArguments,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -57,6 +70,7 @@ impl SliceCommand {
         let field = files::open_field(&bytes, &self.field)?;
         files::check_output(&self.output, &self.field)?;
 
+        let truth = self.truth(&field)?;
         let image = picture::slice(
             &field,
             &Slice {
@@ -69,8 +83,16 @@ impl SliceCommand {
                 resolution: self.resolution,
                 cells: self.cells,
             },
+            truth.as_ref().map(|truth| truth as &dyn FieldFunction),
         );
         files::write_bytes(&self.output, &image.to_png())
+    }
+
+    fn truth(&self, field: &Field<'_>) -> Result<Option<SignedDistance>, Failure> {
+        let Some(path) = &self.mesh else { return Ok(None) };
+        let mesh = files::read_mesh(path, &self.reading.read_options()?)?;
+        files::refuse_other_mesh(&self.field, field, path, &mesh)?;
+        Ok(Some(SignedDistance::new(&mesh, method_of(field.header().sign_method, 0.0))))
     }
 }
 

@@ -1,12 +1,13 @@
 //! `nearfield verify`: does a field keep its promise?
 
-use super::arguments::Threads;
+use super::arguments::{Threads, method_of, not_negative};
 use super::error_table::{self, ContractReport, MeasurementReport};
 use super::exit_code::Failure;
+use super::mesh_arguments::MeshArguments;
 use super::{files, print, to_json};
 use clap::Args;
 use nearfield::Field;
-use nearfield_bake::distance::{SignMethod, SignedDistance};
+use nearfield_bake::distance::SignedDistance;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::verify::{self, Contradiction, Measurement};
 use serde::Serialize;
@@ -45,6 +46,13 @@ pub(super) struct Verify {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(i64::from(verify::MIN_FRESH_SAMPLES)..))]
     samples: Option<u32>,
 
+    /// The thickness that a sheet was baked with, mesh units
+    #[arg(long, value_name = "T", value_parser = not_negative, default_value_t = 0.0)]
+    thickness: f64,
+
+    #[command(flatten)]
+    reading: MeshArguments,
+
     #[command(flatten)]
     threads: Threads,
 
@@ -67,9 +75,10 @@ impl Verify {
             )));
         }
 
+        let options = self.reading.read_options()?;
         let (measurement, contradiction) = self.threads.run(|| {
-            let mesh = files::read_mesh(&self.mesh)?;
-            self.refuse_other_mesh(&field, &mesh)?;
+            let mesh = files::read_mesh(&self.mesh, &options)?;
+            files::refuse_other_mesh(&self.field, &field, &self.mesh, &mesh)?;
             self.measure(&field, &mesh)
         })?;
 
@@ -98,23 +107,9 @@ impl Verify {
         }
     }
 
-    fn refuse_other_mesh(&self, field: &Field<'_>, mesh: &CheckedMesh) -> Result<(), Failure> {
-        if mesh.hash() == field.header().mesh_hash {
-            return Ok(());
-        }
-        Err(Failure::Verification(format!(
-            "{} was not baked from {}: the hash of the mesh differs; name the right mesh or bake again",
-            self.field.display(),
-            self.mesh.display()
-        )))
-    }
-
     fn measure(&self, field: &Field<'_>, mesh: &CheckedMesh) -> Result<(Measurement, Option<Contradiction>), Failure> {
         let contract = field.contract();
-        let method = match field.header().sign_method {
-            nearfield::SignMethod::Winding => SignMethod::Winding,
-            _ => SignMethod::Pseudonormal,
-        };
+        let method = method_of(field.header().sign_method, self.thickness);
         let truth = SignedDistance::new(mesh, method);
 
         Ok(match self.samples {

@@ -1,7 +1,7 @@
 //! The triangles in the frame of the search: centred, and scaled by a power of two to fit
 //! [−1, 1]³, so that single precision is worth the same for every mesh.
 
-use crate::mesh::CheckedMesh;
+use crate::mesh::{CheckedMesh, Role};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -37,14 +37,19 @@ pub(super) struct LocalMesh {
     pub(super) triangles: Vec<[u32; 3]>,
     /// Number of each triangle in the mesh.
     pub(super) numbers: Vec<u32>,
+    /// Whether each triangle is there for the distance alone; none if all count for the sign too.
+    walls: Vec<bool>,
 }
 
 impl LocalMesh {
     pub(super) fn new(mesh: &CheckedMesh) -> Self {
         let frame = Frame::around(mesh);
         let positions = mesh.positions.par_iter().map(|&position| frame.to_local(position)).collect();
-        let numbers = (0..mesh.triangles.len() as u32).collect();
-        Self { frame, positions, triangles: mesh.triangles.clone(), numbers }
+        let (numbers, triangles): (Vec<u32>, Vec<[u32; 3]>) = mesh.seen_triangles().unzip();
+        let is_wall = |&number: &u32| mesh.orientation.role(number as usize) == Role::Wall;
+        let has_walls = mesh.orientation.count(Role::Wall) > 0;
+        let walls = if has_walls { numbers.iter().map(is_wall).collect() } else { Vec::new() };
+        Self { frame, positions, triangles, numbers, walls }
     }
 
     /// The same mesh with its triangles in this order and its vertices in the order of their use, so
@@ -62,7 +67,13 @@ impl LocalMesh {
             *vertex = *number;
         }
         let numbers = order.iter().map(|&triangle| self.numbers[triangle as usize]).collect();
-        Self { frame: self.frame, positions, triangles, numbers }
+        let walls = if self.walls.is_empty() { Vec::new() } else { order.iter().map(|&t| self.is_wall(t)).collect() };
+        Self { frame: self.frame, positions, triangles, numbers, walls }
+    }
+
+    /// Whether a triangle is there for the distance alone.
+    pub(super) fn is_wall(&self, triangle: u32) -> bool {
+        self.walls.get(triangle as usize).copied().unwrap_or(false)
     }
 
     pub(super) fn corners(&self, triangle: u32) -> [DVec3; 3] {
@@ -76,7 +87,7 @@ impl LocalMesh {
     }
 }
 
-fn round_down(value: f64) -> f32 {
+pub(super) fn round_down(value: f64) -> f32 {
     let nearest = value as f32;
     if f64::from(nearest) > value { nearest.next_down() } else { nearest }
 }

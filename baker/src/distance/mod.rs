@@ -1,30 +1,38 @@
-//! The exact signed distance to a mesh: closest triangle by a tree, sign by pseudonormals or
-//! winding numbers.
+//! The exact signed distance to a mesh: closest triangle by a tree, sign by pseudonormals, winding
+//! numbers or rays.
 
+mod boundary;
 mod bvh;
 mod bvh_build;
 mod bvh_fold;
 mod bvh_nearest;
+mod choose;
+mod holes;
 mod local_mesh;
 mod neighbours;
 mod oriented_box;
 mod pseudonormal;
+mod ray_tree;
+mod self_intersection;
+mod sign;
 mod solid_angle;
 #[cfg(test)]
 mod tests;
 pub mod triangle;
 mod winding;
 
+pub use choose::SignDecision;
+
 use crate::field_function::{FieldFunction, Sample};
-use crate::mesh::{CheckedMesh, Topology};
-use bvh::is_within_reach;
-use bvh_nearest::{Finder, Nearest, Scratch};
+use crate::mesh::CheckedMesh;
+use bvh_nearest::{Finder, Nearest};
 use glam::DVec3;
 use local_mesh::LocalMesh;
 use neighbours::nearest_of_each;
 use pseudonormal::Pseudonormals;
+use ray_tree::RayTree;
 use rayon::prelude::*;
-use winding::WindingTree;
+use sign::Signs;
 
 /// Points that one task samples in turn. It bears on speed alone.
 const CHUNK: usize = 1024;
@@ -35,46 +43,55 @@ const ON_SURFACE: f64 = 1e-9;
 /// A local point outside the box of every mesh.
 const BEYOND: DVec3 = DVec3::splat(2.0);
 
-/// How the inside is told from the outside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How the inside is told from the outside. Triangles are seen as [`CheckedMesh::orientation`] says.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SignMethod {
-    /// Angle-weighted pseudonormals: exact on closed, manifold, consistently wound meshes.
+    /// Angle-weighted pseudonormals: exact on closed surfaces that cross themselves nowhere.
     Pseudonormal,
-    /// Generalized winding numbers: inside where the number exceeds ½; bears holes and overlaps.
+    /// Generalized winding numbers: inside where the number is not zero on closed surfaces, where it
+    /// exceeds ½ in size on others; bears holes and overlaps. Where the holes of a piece are small and the
+    /// number is between ¼ and ¾ in size, pseudonormals decide.
     Winding,
+    /// The majority of seven rays that count whether their crossings are odd: bears triangles that face
+    /// all ways.
+    Rays,
+    /// Nothing is inside the triangles: the field is the unsigned distance less half a thickness.
+    Sheet {
+        /// How thick the sheet is, mesh units.
+        thickness: f64,
+    },
 }
 
 /// What was asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum SignChoice {
-    /// Pseudonormals where they are exact, winding numbers elsewhere.
+    /// The method that suits the mesh.
     #[default]
     Auto,
     /// Pseudonormals on any mesh.
     Pseudonormal,
     /// Winding numbers on any mesh.
     Winding,
-}
-
-impl SignChoice {
-    /// The method for a mesh.
-    pub fn resolve(self, topology: &Topology) -> SignMethod {
-        match self {
-            Self::Auto if topology.is_closed_and_oriented() => SignMethod::Pseudonormal,
-            Self::Pseudonormal => SignMethod::Pseudonormal,
-            Self::Auto | Self::Winding => SignMethod::Winding,
-        }
-    }
+    /// Votes of rays on any mesh.
+    Rays,
+    /// The unsigned distance less half a thickness, mesh units.
+    Sheet {
+        /// How thick the sheet is, mesh units.
+        thickness: f64,
+    },
 }
 
 /// The exact signed distance to a mesh.
 ///
 /// Distances agree with an exhaustive search to rounding (some 1e-15 of the mesh's size), and do not
-/// depend on the sign method. The answer at a point depends on the mesh and the point alone.
+/// depend on the sign method, but for the thickness of sheets. The answer at a point depends on the mesh and
+/// the point alone.
 pub struct SignedDistance {
     finder: Finder,
     pseudonormals: Pseudonormals,
-    winding: Option<WindingTree>,
+    signs: Signs,
+    /// Half the thickness of a sheet, mesh units.
+    half_thickness: f64,
 }
 
 impl SignedDistance {
@@ -83,19 +100,42 @@ impl SignedDistance {
     /// # Panics
     /// For 2²⁸ triangles or more.
     pub fn new(mesh: &CheckedMesh, method: SignMethod) -> Self {
-        assert!(mesh.triangles.len() < 1 << 28, "a mesh of fewer than 2^28 triangles");
-        let finder = bvh_build::build(&LocalMesh::new(mesh));
+        Self::with_finder(find_in(mesh), method)
+    }
+
+    /// The same, with the method that the choice comes to on this mesh.
+    ///
+    /// # Panics
+    /// For 2²⁸ triangles or more.
+    pub fn choose(mesh: &CheckedMesh, choice: SignChoice) -> (Self, SignDecision) {
+        let finder = find_in(mesh);
+        let decision = choose::choose(mesh, &finder, choice);
+        (Self::with_finder(finder, decision.method), decision)
+    }
+
+    fn with_finder(finder: Finder, method: SignMethod) -> Self {
+        let half_thickness = match method {
+            SignMethod::Sheet { thickness } => 0.5 * thickness,
+            _ => 0.0,
+        };
         let pseudonormals = Pseudonormals::new(&finder.mesh);
-        let winding = (method == SignMethod::Winding).then(|| WindingTree::new(&finder));
-        Self { finder, pseudonormals, winding }
+        Self { signs: Signs::new(&finder, method), pseudonormals, finder, half_thickness }
+    }
+
+    /// How many pairs of triangles cross, or touch where they are no neighbours.
+    pub fn count_self_intersections(&self) -> usize {
+        self_intersection::count(&self.finder, &RayTree::new(&self.finder, 0))
     }
 
     /// Samples points, best each near the one before.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
         let local = |&point| Some(self.finder.mesh.frame.to_local(point)).filter(|p| p.is_finite());
         let searched: Vec<DVec3> = points.iter().map(|point| local(point).unwrap_or_default()).collect();
+        let mut last = None;
         nearest_of_each(&self.finder, &searched, |k, nearest| {
-            samples[k] = self.signed(searched[k], nearest);
+            let is_inside = self.is_inside(searched[k], nearest, last);
+            last = Some(Judged { point: searched[k], distance: nearest.closest.distance_squared.sqrt(), is_inside });
+            samples[k] = self.signed(searched[k], nearest, is_inside);
         });
         for (sample, point) in samples.iter_mut().zip(points) {
             if local(point).is_none() {
@@ -104,32 +144,45 @@ impl SignedDistance {
         }
     }
 
-    fn signed(&self, local: DVec3, nearest: Nearest) -> Sample {
+    fn signed(&self, local: DVec3, nearest: Nearest, is_inside: bool) -> Sample {
         let Nearest { triangle, closest } = nearest;
         let offset = local - closest.point;
         let distance = closest.distance_squared.sqrt();
-        let sign = if self.is_inside(local, nearest) { -1.0 } else { 1.0 };
+        let sign = if is_inside { -1.0 } else { 1.0 };
         let gradient = if distance > ON_SURFACE {
             offset * (sign / offset.length())
         } else {
             self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature).normalize_or_zero()
         };
-        Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance), gradient }
+        Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance) - self.half_thickness, gradient }
     }
 
-    fn is_inside(&self, local: DVec3, nearest: Nearest) -> bool {
-        if let Some(winding) = &self.winding {
-            return winding.at(&self.finder, local) > 0.5;
+    /// Whether a point is inside. The one that was judged before it may save the work: no surface is
+    /// between two points of which one is farther from all surfaces than from the other.
+    fn is_inside(&self, local: DVec3, nearest: Nearest, last: Option<Judged>) -> bool {
+        /// Distances are right to rounding.
+        const SURELY: f64 = 0.999_999;
+        let reach = |last: &Judged| SURELY * last.distance.max(nearest.closest.distance_squared.sqrt());
+        match last {
+            Some(last) if self.signs.changes_on_the_surface_alone() && local.distance(last.point) < reach(&last) => {
+                last.is_inside
+            }
+            _ => self.signs.is_inside(&self.finder, &self.pseudonormals, local, nearest),
         }
-        if !is_within_reach(local) {
-            // All triangles look alike from there. The sign is that of any other point beyond the box.
-            let nearest = self.finder.nearest(BEYOND, 0, &mut Scratch::new());
-            return self.is_inside(BEYOND, nearest);
-        }
-        let Nearest { triangle, closest } = nearest;
-        let pseudonormal = self.pseudonormals.at(&self.finder.mesh, triangle, closest.feature);
-        (local - closest.point).dot(pseudonormal) < 0.0
     }
+}
+
+/// A point whose sign is known.
+#[derive(Clone, Copy)]
+struct Judged {
+    point: DVec3,
+    distance: f64,
+    is_inside: bool,
+}
+
+fn find_in(mesh: &CheckedMesh) -> Finder {
+    assert!(mesh.triangles.len() < 1 << 28, "a mesh of fewer than 2^28 triangles");
+    bvh_build::build(&LocalMesh::new(mesh))
 }
 
 impl FieldFunction for SignedDistance {
@@ -149,12 +202,10 @@ impl FieldFunction for SignedDistance {
     }
 
     /// With winding numbers: where the number is between ¼ and ¾ in size, that is, where the holes
-    /// span a quarter of all directions or more, or within rounding of the surface. With
-    /// pseudonormals: nowhere, for they are meant for closed meshes.
+    /// span a quarter of all directions or more. With rays: where two of them or more contradict the others.
+    /// On closed surfaces, with pseudonormals, and with sheets: nowhere.
     fn sign_is_doubtful(&self, point: DVec3) -> bool {
-        self.winding.as_ref().is_some_and(|winding| {
-            let number = winding.at(&self.finder, self.finder.mesh.frame.to_local(point)).abs();
-            (0.25..0.75).contains(&number)
-        })
+        let local = self.finder.mesh.frame.to_local(point);
+        local.is_finite() && self.signs.is_doubtful(&self.finder, local)
     }
 }

@@ -7,7 +7,7 @@
 use super::bvh::{LANES, Packet, Query, cross, dot, minus};
 use glam::DVec3;
 use std::f64::consts::PI;
-use wide::f32x8;
+use wide::{f32x8, u32x8};
 
 /// A sum of solid angles.
 #[derive(Clone, Copy)]
@@ -27,6 +27,17 @@ impl SolidAngles {
         let imaginary = a.dot(b.cross(c));
         let real = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
         // Nothing at the rim of the triangle, where it has no solid angle.
+        if real != 0.0 || imaginary != 0.0 {
+            self.join(Self { real, imaginary, turns: 0.0 });
+        }
+    }
+
+    /// Adds a triangle with one corner infinitely far away in a direction of unit length, and the others
+    /// at `a` and `b`.
+    pub(super) fn add_with_corner_at_infinity(&mut self, direction: DVec3, a: DVec3, b: DVec3) {
+        let [la, lb] = [a, b].map(DVec3::length);
+        let imaginary = direction.dot(a.cross(b));
+        let real = la * lb + direction.dot(a) * lb + a.dot(b) + direction.dot(b) * la;
         if real != 0.0 || imaginary != 0.0 {
             self.join(Self { real, imaginary, turns: 0.0 });
         }
@@ -57,6 +68,14 @@ impl SolidAngles {
     }
 }
 
+/// All bits of the lanes in a mask.
+#[inline(always)]
+fn lanes(mask: u32) -> f32x8 {
+    let bits = u32x8::new([1, 2, 4, 8, 16, 32, 64, 128]);
+    let set = (u32x8::splat(mask) & bits).simd_eq(bits);
+    bytemuck::cast(set)
+}
+
 /// Eight sums of solid angles in single precision.
 pub(super) struct CoarseSolidAngles {
     real: f32x8,
@@ -84,16 +103,41 @@ impl CoarseSolidAngles {
         let imaginary = dot(a, cross(*ab, *ac));
         let real = product + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
 
-        let size = real.abs() + imaginary.abs();
         let nearest = la.fast_min(lb).fast_min(lc);
+        let unsure = self.join_sure(real, imaginary, product, nearest, is_used.to_bitmask());
+        unsure & is_used.to_bitmask()
+    }
+
+    /// Adds triangles with one corner infinitely far away in a direction of unit length and the others at `a`
+    /// and `b`, of the lanes in `used`, except some as in [`add`](Self::add).
+    #[inline(always)]
+    pub(super) fn add_with_corner_at_infinity(
+        &mut self,
+        direction: [f32x8; 3],
+        a: [f32x8; 3],
+        b: [f32x8; 3],
+        used: u32,
+    ) -> u32 {
+        let [la, lb] = [a, b].map(|corner| dot(corner, corner).sqrt());
+        let product = la * lb;
+        let imaginary = dot(direction, cross(a, b));
+        let real = product + dot(direction, a) * lb + dot(a, b) + dot(direction, b) * la;
+        self.join_sure(real, imaginary, product, la.fast_min(lb), used)
+    }
+
+    /// Joins the lanes in `used` whose angle single precision knows; the others of them are returned.
+    #[inline(always)]
+    fn join_sure(&mut self, real: f32x8, imaginary: f32x8, product: f32x8, nearest: f32x8, used: u32) -> u32 {
+        let size = real.abs() + imaginary.abs();
         let is_unsure = size.simd_lt(product * f32x8::splat(1e-4))
             | (real.simd_lt(f32x8::ZERO) & imaginary.abs().simd_lt(product * f32x8::splat(1e-4)))
             | nearest.simd_lt(f32x8::splat(1e-4));
-        let is_counted = is_used & !is_unsure;
-        let real = is_counted.bitselect(real, f32x8::ONE);
-        let imaginary = is_counted.bitselect(imaginary, f32x8::ZERO);
+        let unsure = is_unsure.to_bitmask();
+        let counted = lanes(used & !unsure);
+        let real = counted.bitselect(real, f32x8::ONE);
+        let imaginary = counted.bitselect(imaginary, f32x8::ZERO);
         self.join(real, imaginary);
-        (is_used & is_unsure).to_bitmask()
+        used & unsure
     }
 
     /// As [`SolidAngles::join`].

@@ -207,12 +207,12 @@ fn winding_numbers_match_the_sum_of_solid_angles() {
     let mut open = TriangleSoup { positions: closed.positions.clone(), triangles: closed.triangles.clone() };
     open.triangles.truncate(3 * open.triangles.len() / 4);
     for mesh in [closed, CheckedMesh::new(open).unwrap()] {
-        let distance = SignedDistance::new(&mesh, SignMethod::Winding);
-        let winding = distance.winding.as_ref().unwrap();
+        let finder = find_in(&mesh);
+        let winding = winding::WindingTree::new(&finder);
         let (mut numbers, mut worst) = (Numbers(4), 0.0f64);
         for _ in 0..2000 {
             let point = 1.5 * numbers.point();
-            let found = winding.at(&distance.finder, distance.finder.mesh.frame.to_local(point));
+            let found = winding.at(&finder, finder.mesh.frame.to_local(point));
             let exact = winding_number(&mesh, point);
             worst = worst.max((found - exact).abs());
         }

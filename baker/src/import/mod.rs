@@ -1,14 +1,23 @@
 //! Mesh files to a [`TriangleSoup`]: one door, whatever the format.
 
+mod format;
+mod gltf;
 mod obj;
+mod off;
+mod options;
 mod ply;
+mod problem;
+mod stl;
 #[cfg(test)]
 mod tests;
 
+pub use options::{Names, Placement, ReadOptions, Selection, Up};
+pub use problem::{ImportError, Problem};
+
+use format::Format;
 use glam::DVec3;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
-use thiserror::Error;
 
 /// Triangles as a file gave them: finite positions and indices in range, nothing else is known.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,113 +28,88 @@ pub struct TriangleSoup {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Why a mesh file could not be read.
-#[derive(Debug, Error)]
-#[error("cannot read {}: {problem}", path.display())]
-pub struct ImportError {
-    /// The file.
-    pub path: PathBuf,
-    /// What is wrong with it.
-    #[source]
-    pub problem: Problem,
-}
-
-/// What is wrong with a mesh file.
-#[derive(Debug, Error)]
-pub enum Problem {
-    /// The operating system did not hand over the bytes.
-    #[error("{0}; check the path and its permissions")]
-    Unreadable(#[source] io::Error),
-    /// Neither the content nor the extension names a format that this program knows.
-    #[error("its format is none of {KNOWN_FORMATS}; convert it to one of them")]
-    UnknownFormat,
-    /// The file breaks the rules of its format.
-    #[error("it is not valid {format}: {reason}; export it again")]
-    Malformed {
-        /// Name of the format.
-        format: &'static str,
-        /// What the parser said.
-        reason: String,
-    },
-    /// The file ends before everything that it announces.
-    #[error("it is cut short: {reason}; copy or export it again")]
-    Truncated {
-        /// What is missing.
-        reason: String,
-    },
-    /// A face names a vertex that is not there.
-    #[error("{place} uses vertex index {index}, but there are {vertices} vertices; export it again")]
-    IndexOutOfRange {
-        /// The line or the face.
-        place: String,
-        /// The index as the file writes it.
-        index: i64,
-        /// Vertices known at that place.
-        vertices: usize,
-    },
-    /// A vertex is NaN or infinite.
-    #[error("{place} is ({}, {}, {}), which is no point; repair the mesh", position.x, position.y, position.z)]
-    NotFinite {
-        /// The vertex.
-        place: String,
-        /// Its position.
-        position: DVec3,
-    },
-    /// There is nothing to bake.
-    #[error("it holds no triangles{hint}; export the surface as triangles or polygons")]
-    NoTriangles {
-        /// What it holds instead, as a parenthesis, or nothing.
-        hint: &'static str,
-    },
-}
-
 /// The formats that [`read`] knows, as messages name them.
-pub const KNOWN_FORMATS: &str = "OBJ, PLY";
+pub const KNOWN_FORMATS: &str = "OBJ, STL, PLY, OFF, glTF, GLB";
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Obj,
-    Ply,
-}
+/// Triangles that a file may have, instances counted: the search tree takes no more.
+const MAX_TRIANGLES: usize = (1 << 28) - 1;
 
-impl Format {
-    /// The content decides; the extension only where the content says nothing.
-    fn detect(path: &Path, bytes: &[u8]) -> Option<Self> {
-        if ply::is_ply(bytes) {
-            return Some(Self::Ply);
-        }
-        let extension = path.extension().unwrap_or_default();
-        if extension.eq_ignore_ascii_case("obj") {
-            Some(Self::Obj)
-        } else if extension.eq_ignore_ascii_case("ply") {
-            Some(Self::Ply)
-        } else {
-            obj::looks_like_obj(bytes).then_some(Self::Obj)
-        }
-    }
-}
-
-/// Reads a mesh file: positions in the file's own units and frame, polygons split into fans.
+/// Reads a mesh file whole: positions in the file's own units and frame, polygons split into fans.
 ///
 /// # Errors
 /// [`ImportError`] when the file is missing, of another format, damaged or empty. Nothing in a file
 /// makes this panic, hang, or ask for memory out of proportion to its length.
 pub fn read(path: impl AsRef<Path>) -> Result<TriangleSoup, ImportError> {
-    let path = path.as_ref();
-    read_bytes(path).map_err(|problem| ImportError { path: path.to_owned(), problem })
+    read_with(path, &ReadOptions::default())
 }
 
-fn read_bytes(path: &Path) -> Result<TriangleSoup, Problem> {
+/// Reads the parts of a mesh file that are wanted, scaled and turned as wanted.
+///
+/// # Errors
+/// As [`read`], and when nothing in the file has the wanted names.
+pub fn read_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<TriangleSoup, ImportError> {
+    let path = path.as_ref();
+    read_parts(path, options).map_err(|problem| ImportError { path: path.to_owned(), problem })
+}
+
+fn read_parts(path: &Path, options: &ReadOptions) -> Result<TriangleSoup, Problem> {
     let bytes = fs::read(path).map_err(Problem::Unreadable)?;
-    match Format::detect(path, &bytes).ok_or(Problem::UnknownFormat)? {
-        Format::Obj => obj::parse(&bytes),
-        Format::Ply => ply::parse(&bytes),
+    let format = Format::detect(path, &bytes).ok_or(Problem::UnknownFormat)?;
+    let selection = &options.selection;
+    let mut soup = match format {
+        Format::Obj => obj::parse(&bytes, selection)?,
+        Format::Gltf => gltf::parse(&bytes, &folder_of(path), selection)?,
+        Format::Ply | Format::Stl | Format::Off if !selection.is_everything() => {
+            return Err(Problem::Nameless { format: format.name() });
+        }
+        Format::Ply => ply::parse(&bytes)?,
+        Format::Stl => stl::parse(&bytes)?,
+        Format::Off => off::parse(&bytes)?,
+    };
+    if soup.triangles.len() > MAX_TRIANGLES {
+        return Err(Problem::TooLarge { triangles: soup.triangles.len() });
     }
+    options.placement.apply(&mut soup.positions, format == Format::Gltf)?;
+    Ok(soup)
+}
+
+/// The files that [`read`] opens for a mesh: the file itself, then the external buffers of a glTF in the
+/// order of its list.
+///
+/// # Errors
+/// The file cannot be read, or is a glTF whose description is damaged. Other formats are not looked at.
+pub fn inputs(path: impl AsRef<Path>) -> Result<Vec<PathBuf>, ImportError> {
+    let path = path.as_ref();
+    let buffers = || {
+        // A pipe can be read once, and that is for the mesh.
+        if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+            return Ok(Vec::new());
+        }
+        let bytes = fs::read(path).map_err(Problem::Unreadable)?;
+        match Format::detect(path, &bytes) {
+            Some(Format::Gltf) => gltf::external_buffers(&bytes, &folder_of(path)),
+            _ => Ok(Vec::new()),
+        }
+    };
+    let buffers = buffers().map_err(|problem| ImportError { path: path.to_owned(), problem })?;
+    Ok([vec![path.to_owned()], buffers].concat())
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    path.parent().unwrap_or(Path::new("")).to_owned()
 }
 
 /// Splits a polygon into the fan around its first corner; points and lines vanish.
 fn push_fan(triangles: &mut Vec<[u32; 3]>, polygon: &[u32]) {
     if let [apex, rest @ ..] = polygon {
         triangles.extend(rest.windows(2).map(|edge| [*apex, edge[0], edge[1]]));
+    }
+}
+
+/// Splits a strip into triangles wound like the first.
+fn push_strip(triangles: &mut Vec<[u32; 3]>, strip: &[u32]) {
+    for (number, corners) in strip.windows(3).enumerate() {
+        let [a, b, c] = [corners[0], corners[1], corners[2]];
+        triangles.push(if number % 2 == 0 { [a, b, c] } else { [b, a, c] });
     }
 }

@@ -1,9 +1,11 @@
 //! Wavefront OBJ, parsed by `tobj`.
 //!
 //! Only positions and faces matter here, so `tobj` is shown nothing else: neither the names of
-//! materials and groups, in whatever encoding, nor faulty texture coordinates can spoil a mesh.
+//! materials and groups, in whatever encoding, nor faulty texture coordinates can spoil a mesh. Faces
+//! whose names are not wanted are left out on the way.
 
-use super::{Problem, TriangleSoup};
+use super::options::NamesMet;
+use super::{Problem, Selection, TriangleSoup};
 use glam::DVec3;
 use std::io::{self, BufRead, Read};
 use tobj::LoadError;
@@ -18,8 +20,8 @@ pub(super) fn looks_like_obj(bytes: &[u8]) -> bool {
     })
 }
 
-pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, Problem> {
-    let mut text = GeometryText::new(bytes);
+pub(super) fn parse(bytes: &[u8], selection: &Selection) -> Result<TriangleSoup, Problem> {
+    let mut text = GeometryText::new(bytes, selection);
     let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let loaded = tobj::load_obj_buf(&mut text, &options, |_| Err(LoadError::OpenFileFailed));
     let (models, _) = loaded.map_err(|error| match error {
@@ -36,7 +38,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, Problem> {
         soup.triangles.extend(corners.map(|corner| [0, 1, 2].map(|k| base + corner[k])));
     }
     if soup.triangles.is_empty() {
-        return Err(Problem::NoTriangles { hint: "" });
+        let nothing = selection.is_everything();
+        return Err(if nothing { Problem::NoTriangles { hint: "" } } else { text.part.met.nothing_selected() });
     }
     match soup.positions.iter().find(|position| !position.is_finite()) {
         Some(&position) => Err(Problem::NotFinite { place: "a vertex that a face uses".into(), position }),
@@ -128,16 +131,56 @@ fn without_colour(vertex: &[u8]) -> &[u8] {
     }
 }
 
+/// The part of the file that the statements have come to.
+#[derive(Default)]
+struct Part {
+    /// The object, then the groups: each whole and, as groups may be several, word by word.
+    object: Vec<String>,
+    groups: Vec<String>,
+    material: Option<String>,
+    met: NamesMet,
+}
+
+impl Part {
+    /// Takes in a statement that names something.
+    fn enter(&mut self, statement: &[u8]) {
+        let text = String::from_utf8_lossy(statement);
+        let Some((keyword, name)) = text.split_once(|c: char| c.is_ascii_whitespace()) else { return };
+        let name = name.trim_ascii();
+        let words = name.split_ascii_whitespace().filter(|&word| word != name);
+        match keyword {
+            "o" => self.object = vec![name.to_owned()],
+            "g" => self.groups = [name].into_iter().chain(words).map(str::to_owned).collect(),
+            "usemtl" => {
+                self.met.materials.insert(name.to_owned());
+                self.material = Some(name.to_owned());
+                return;
+            }
+            _ => return,
+        }
+        self.met.nodes.insert(name.to_owned());
+    }
+
+    fn is_wanted(&self, selection: &Selection) -> bool {
+        selection.takes(self.object.iter().chain(&self.groups).map(String::as_str), self.material.as_deref())
+    }
+}
+
 /// The file as `tobj` sees it: one line a vertex or a face, and nothing else.
 struct GeometryText<'a> {
     statements: Statements<'a>,
+    /// None if every face is wanted.
+    selection: Option<&'a Selection>,
+    part: Part,
     pending: Vec<u8>,
     consumed: usize,
 }
 
 impl<'a> GeometryText<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
-        Self { statements: Statements::new(bytes), pending: Vec::new(), consumed: 0 }
+    fn new(bytes: &'a [u8], selection: &'a Selection) -> Self {
+        let selection = Some(selection).filter(|selection| !selection.is_everything());
+        let statements = Statements::new(bytes);
+        Self { statements, selection, part: Part::default(), pending: Vec::new(), consumed: 0 }
     }
 }
 
@@ -150,8 +193,14 @@ impl BufRead for GeometryText<'_> {
                 if is_statement(statement, b'v') {
                     self.pending.extend_from_slice(without_colour(statement));
                 } else if is_statement(statement, b'f') {
+                    if self.selection.is_some_and(|selection| !self.part.is_wanted(selection)) {
+                        continue;
+                    }
                     self.pending.extend_from_slice(statement);
                 } else {
+                    if self.selection.is_some() {
+                        self.part.enter(statement);
+                    }
                     continue;
                 }
                 self.pending.push(b'\n');

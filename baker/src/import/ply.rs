@@ -1,6 +1,6 @@
-//! Stanford PLY, ASCII and binary of both byte orders, parsed by `ply-rs-bw`.
+//! Stanford PLY, ASCII and binary of both byte orders, polygons and triangle strips, parsed by `ply-rs-bw`.
 
-use super::{Problem, TriangleSoup, push_fan};
+use super::{Problem, TriangleSoup, push_fan, push_strip};
 use glam::DVec3;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
@@ -26,14 +26,14 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, Problem> {
             match element.name.as_str() {
                 "vertex" => soup.positions.push(record.position(number)?),
                 "face" => record.push_face(&mut soup, number)?,
+                "tristrips" => record.push_strips(&mut soup, number)?,
                 _ => {}
             }
         }
     }
     check_indices(&soup)?;
     if soup.triangles.is_empty() {
-        let strips = header.elements.contains_key("tristrips");
-        return Err(Problem::NoTriangles { hint: if strips { " (only triangle strips)" } else { "" } });
+        return Err(Problem::NoTriangles { hint: "" });
     }
     Ok(soup)
 }
@@ -142,20 +142,36 @@ impl Record {
     }
 
     fn push_face(&self, soup: &mut TriangleSoup, number: usize) -> Result<(), Problem> {
-        let Some(polygon) = &self.polygon else {
-            return Err(Problem::Malformed { format: "PLY", reason: "faces have no list vertex_indices".into() });
-        };
-        let corner = |&index: &i64| {
-            u32::try_from(index).map_err(|_| Problem::IndexOutOfRange {
-                place: format!("face {number}"),
-                index,
-                vertices: soup.positions.len(),
-            })
-        };
-        let polygon = polygon.iter().map(corner).collect::<Result<Vec<u32>, _>>()?;
+        let polygon = vertices(self.list("face")?, "face", number, soup.positions.len())?;
         push_fan(&mut soup.triangles, &polygon);
         Ok(())
     }
+
+    /// A list of strips: −1 ends one and begins the next, wound anew.
+    fn push_strips(&self, soup: &mut TriangleSoup, number: usize) -> Result<(), Problem> {
+        let strips = self.list("tristrips")?.split(|&index| index == -1);
+        for strip in strips {
+            let strip = vertices(strip, "tristrips", number, soup.positions.len())?;
+            push_strip(&mut soup.triangles, &strip);
+        }
+        Ok(())
+    }
+
+    fn list(&self, element: &str) -> Result<&[i64], Problem> {
+        self.polygon.as_deref().ok_or_else(|| {
+            let reason = format!("element \"{element}\" has no list vertex_indices");
+            Problem::Malformed { format: "PLY", reason }
+        })
+    }
+}
+
+/// Indices as vertices. That they are in range is checked at the end: vertices may come later.
+fn vertices(indices: &[i64], element: &str, number: usize, vertices: usize) -> Result<Vec<u32>, Problem> {
+    let vertex = |&index: &i64| {
+        let place = || format!("{element} {number}");
+        u32::try_from(index).map_err(|_| Problem::IndexOutOfRange { place: place(), index, vertices })
+    };
+    indices.iter().map(vertex).collect()
 }
 
 impl PropertyAccess for Record {

@@ -1,11 +1,17 @@
 //! A soup to a [`CheckedMesh`]: welded, without degenerate triangles, its topology known.
 
 pub(crate) mod adjacency;
+mod disjoint_sets;
+mod orientation;
+mod pieces;
 #[cfg(test)]
 mod tests;
 mod topology;
 mod weld;
 
+pub(crate) use disjoint_sets::DisjointSets;
+pub use orientation::{Orientation, Role};
+pub use pieces::Piece;
 pub use topology::Topology;
 
 use crate::geometry::Aabb;
@@ -24,6 +30,10 @@ pub struct CheckedMesh {
     pub bounds: Aabb,
     /// What was found on the way.
     pub topology: Topology,
+    /// How the triangles count for the sign.
+    pub orientation: Orientation,
+    /// What the triangles are once they are seen so: without copies and walls, and turned.
+    pub oriented: Topology,
 }
 
 /// Why a soup is no mesh.
@@ -54,16 +64,42 @@ impl CheckedMesh {
         if welded.triangles.is_empty() {
             return Err(MeshError::NoArea { triangles: soup.triangles.len() });
         }
+        let found = Topology::examine(&welded.triangles, welded.positions.len());
+        let orientation = if found.is_closed_and_oriented() {
+            Orientation::of_closed(&welded.positions, &welded.triangles, found.components)
+        } else {
+            Orientation::of(&welded.positions, &welded.triangles)
+        };
+        let oriented = if orientation.is_unchanged() {
+            found
+        } else {
+            let counts = |&(number, _): &(u32, _)| orientation.role(number as usize) != Role::Wall;
+            let seen = seen(&welded.triangles, &orientation).filter(counts);
+            Topology::examine(&seen.map(|(_, triangle)| triangle).collect::<Vec<_>>(), welded.positions.len())
+        };
         Ok(Self {
             bounds: Aabb::around(welded.positions.iter().copied()),
             topology: Topology {
                 welded_vertices: welded.duplicates,
                 degenerate_triangles: soup.triangles.len() - welded.triangles.len(),
-                ..Topology::examine(&welded.triangles, welded.positions.len())
+                ..found
             },
+            orientation,
+            oriented,
             positions: welded.positions,
             triangles: welded.triangles,
         })
+    }
+
+    /// The triangles without copies, wound as they are to be seen, each with its number.
+    pub fn seen_triangles(&self) -> impl Iterator<Item = (u32, [u32; 3])> {
+        seen(&self.triangles, &self.orientation)
+    }
+
+    /// Positions of the corners of a triangle, in the order in which they are to be seen.
+    pub fn seen_corners(&self, triangle: usize) -> [DVec3; 3] {
+        let seen = orientation::seen(self.triangles[triangle], self.orientation.role(triangle));
+        seen.map(|vertex| self.positions[vertex as usize])
     }
 
     /// Positions of the corners of a triangle.
@@ -101,4 +137,11 @@ impl CheckedMesh {
         hasher.finalize_xof().fill(&mut hash);
         hash
     }
+}
+
+fn seen(triangles: &[[u32; 3]], orientation: &Orientation) -> impl Iterator<Item = (u32, [u32; 3])> {
+    (0u32..).zip(triangles).filter_map(|(number, &triangle)| {
+        let role = orientation.role(number as usize);
+        (role != Role::Duplicate).then(|| (number, orientation::seen(triangle, role)))
+    })
 }

@@ -1,6 +1,7 @@
 //! What a mesh turned out to be.
 
 use super::adjacency::{Side, VertexCorners};
+use super::disjoint_sets::DisjointSets;
 
 /// What a mesh turned out to be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -99,33 +100,4 @@ fn count_components(triangles: &[[u32; 3]], vertices: usize) -> usize {
         pieces.join(b, c);
     }
     pieces.count
-}
-
-/// Union–find with path halving; the smaller number is the root.
-struct DisjointSets {
-    parent: Vec<u32>,
-    count: usize,
-}
-
-impl DisjointSets {
-    fn new(count: usize) -> Self {
-        Self { parent: (0..count as u32).collect(), count }
-    }
-
-    fn root(&mut self, mut item: u32) -> u32 {
-        while self.parent[item as usize] != item {
-            let grandparent = self.parent[self.parent[item as usize] as usize];
-            self.parent[item as usize] = grandparent;
-            item = grandparent;
-        }
-        item
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        if a != b {
-            self.parent[a.max(b) as usize] = a.min(b);
-            self.count -= 1;
-        }
-    }
 }

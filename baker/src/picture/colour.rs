@@ -9,6 +9,9 @@ pub(super) const ISOLINE: Rgb = [96, 96, 100];
 /// Colour of the borders of leaves.
 pub(super) const CELL: Rgb = [40, 44, 52];
 
+/// Colour of places whose sign is a guess.
+pub(super) const DOUBT: Rgb = [214, 12, 24];
+
 /// Shades on either side of the surface: more than the eye tells apart, few enough for small files.
 const SHADES: f64 = 128.0;
 

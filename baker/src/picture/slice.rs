@@ -2,6 +2,8 @@
 
 use super::colour;
 use super::image::{Image, Rgb};
+use crate::field_function::FieldFunction;
+use glam::DVec3;
 use nearfield::{Field, Leaf};
 use rayon::prelude::*;
 
@@ -41,8 +43,9 @@ pub struct Slice {
 /// About as many isolines between the surface and the farthest point of the picture.
 const ISOLINES: f64 = 20.0;
 
-/// Draws a slice: colours by distance, grey isolines at round distances, the surface black.
-pub fn slice(field: &Field<'_>, request: &Slice) -> Image {
+/// Draws a slice: colours by distance, grey isolines at round distances, the surface black. Given the truth, red
+/// is where its sign is a guess.
+pub fn slice(field: &Field<'_>, request: &Slice, truth: Option<&dyn FieldFunction>) -> Image {
     let plane = Plane::through(field, request);
     let rows: Vec<Vec<[f32; 3]>> = (0..plane.height).map(|row| plane.row(row)).collect();
 
@@ -71,6 +74,15 @@ pub fn slice(field: &Field<'_>, request: &Slice) -> Image {
             if cells[index] != cells[right] || cells[index] != cells[below] {
                 *pixel = colour::mix(*pixel, colour::CELL, 0.45);
             }
+        }
+    }
+
+    // Doubt.
+    if let Some(truth) = truth {
+        let doubts = |&point: &[f32; 3]| truth.sign_is_doubtful(DVec3::from_array(point.map(f64::from)));
+        let doubtful: Vec<bool> = rows.par_iter().flatten_iter().map(doubts).collect();
+        for (pixel, _) in pixels.iter_mut().zip(doubtful).filter(|(_, is_doubtful)| *is_doubtful) {
+            *pixel = colour::mix(*pixel, colour::DOUBT, 0.7);
         }
     }
 

@@ -85,6 +85,7 @@ mod tests {
             seams: SeamStatistics { max: 0.5, ..SeamStatistics::default() },
             samples: 1000,
             doubtful_signs: 0,
+            doubtful_places: Vec::new(),
         }
     }
 

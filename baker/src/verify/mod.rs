@@ -23,6 +23,9 @@ pub const BAND: f64 = 0.01;
 /// Seed of the points behind the contract in a file's header.
 pub const CONTRACT_SEED: u64 = 0;
 
+/// Doubtful places that a measurement lists.
+const PLACES: usize = 64;
+
 /// What was measured. Lengths in mesh units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
@@ -37,6 +40,8 @@ pub struct Measurement {
     pub samples: u32,
     /// Points, of both sets, whose true sign is a guess.
     pub doubtful_signs: usize,
+    /// The first of these, mesh frame.
+    pub doubtful_places: Vec<[f32; 3]>,
 }
 
 /// Measures a field against the truth at random points that depend on the mesh, `samples` and `seed`
@@ -82,7 +87,7 @@ fn measure_at(
     let points = points::uniform(bounds, samples as usize, seed);
     let exact = sample(truth, &points);
     let uniform = ErrorDistribution::of(&answers(field, &points), &exact);
-    let mut doubtful_signs = count_doubtful(truth, &points);
+    let mut doubtful = find_doubtful(truth, &points);
 
     // In the band.
     let mut points = near;
@@ -90,12 +95,14 @@ fn measure_at(
     points.retain(|&point| contains(&domain, points::to_dvec3(point)));
     let exact = sample(truth, &points);
     let band = ErrorDistribution::of(&answers(field, &points), &exact);
-    doubtful_signs += count_doubtful(truth, &points);
+    doubtful.extend(find_doubtful(truth, &points));
 
     // Across the faces.
     let seams = seams::measure(field, seed);
 
-    Measurement { uniform, band, seams, samples, doubtful_signs }
+    let doubtful_signs = doubtful.len();
+    doubtful.truncate(PLACES);
+    Measurement { uniform, band, seams, samples, doubtful_signs, doubtful_places: doubtful }
 }
 
 impl Measurement {
@@ -125,8 +132,8 @@ fn answers(field: &Field<'_>, points: &[[f32; 3]]) -> Vec<(f32, [f32; 3])> {
     points.par_iter().map(|&point| field.distance_and_gradient(point)).collect()
 }
 
-fn count_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> usize {
-    points.par_iter().filter(|&&point| truth.sign_is_doubtful(points::to_dvec3(point))).count()
+fn find_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    points.par_iter().copied().filter(|&point| truth.sign_is_doubtful(points::to_dvec3(point))).collect()
 }
 
 fn field_box(field: &Field<'_>) -> Aabb {

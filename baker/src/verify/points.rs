@@ -133,6 +133,8 @@ mod tests {
             positions,
             triangles: vec![[0, 1, 2], [0, 3, 4]],
             topology: Topology::default(),
+            orientation: crate::mesh::Orientation::default(),
+            oriented: crate::mesh::Topology::default(),
         }
     }
 

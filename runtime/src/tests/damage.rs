@@ -31,6 +31,9 @@ fn assert_finite(field: &Field<'_>, random: &mut Random) {
     }
 }
 
+/// How many times Miri, which is some thousand times slower, does less: it looks for what no answer shows.
+const FEWER: usize = if cfg!(miri) { 1000 } else { 1 };
+
 /// A file with full samples of every kind.
 fn rich() -> File {
     let mut random = Random::new(1);
@@ -53,7 +56,7 @@ fn every_truncation_is_an_error() {
     for file in [trilinear(|_| 1.0), three_levels(), rich()] {
         let bytes = file.bytes();
         open(&bytes);
-        for length in 0..bytes.len() {
+        for length in (0..bytes.len()).step_by(FEWER) {
             assert!(Field::open(&bytes[..length]).is_err(), "{length} of {} bytes", bytes.len());
         }
         let longer = [&bytes[..], &[0]].concat();
@@ -66,7 +69,7 @@ fn every_flipped_bit_is_found() {
     let mut random = Random::new(2);
     for file in [trilinear(|_| 1.0), three_levels(), rich()] {
         let bytes = file.bytes();
-        for bit in 0..8 * bytes.len() {
+        for bit in (0..8 * bytes.len()).step_by(FEWER) {
             let mut damaged = bytes.clone();
             damaged[bit / 8] ^= 1 << (bit % 8);
             if let Ok(field) = Field::open(&damaged) {
@@ -81,7 +84,7 @@ fn every_flipped_bit_is_found() {
 fn wild_words_under_right_checksums_are_harmless() {
     let mut random = Random::new(3);
     for file in [trilinear(|_| 1.0), three_levels(), rich()] {
-        for _ in 0..3000 {
+        for _ in 0..3000 / FEWER {
             let mut wild = file.clone();
             wild.interpolant = (random.word() & 1) as u8;
             for _ in 0..1 + random.word() % 3 {
@@ -109,7 +112,7 @@ fn wild_headers_under_right_checksums_are_harmless() {
     let bytes = three_levels().bytes();
     let end = header::LENGTH + 3 * section_entry::LENGTH + crate::layout::octree::LENGTH;
     let mut opened = 0;
-    for _ in 0..20_000 {
+    for _ in 0..20_000 / FEWER {
         let mut wild = bytes.clone();
         let at = random.word() as usize % end;
         wild[at] = random.word() as u8;
@@ -122,7 +125,7 @@ fn wild_headers_under_right_checksums_are_harmless() {
             assert!(field.sections().count() <= 16);
         }
     }
-    assert!(opened > 1000, "only {opened} files opened");
+    assert!(opened > 1000 / FEWER, "only {opened} files opened");
 }
 
 /// Makes the checksums of the parameters and of the header right again.

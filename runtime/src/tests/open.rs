@@ -40,8 +40,8 @@ fn header_rules() {
     assert_eq!(set(header::VERSION_MINOR.start, 1), Some(Error::Version), "from the future");
     assert_eq!(set(header::FILE_LENGTH.start, 1), Some(Error::FileLength));
     assert_eq!(set(header::RESERVED, 1), Some(Error::Reserved));
-    assert_eq!(set(header::FAMILY, 3), Some(Error::Family));
-    assert_eq!(set(header::SIGN_METHOD, 3), Some(Error::SignMethod));
+    assert_eq!(set(header::FAMILY, 4), Some(Error::Family));
+    assert_eq!(set(header::SIGN_METHOD, 5), Some(Error::SignMethod));
     assert_eq!(set(header::UNUSED.start, 255), None, "unused bits are ignored");
 
     for value in [f32::NAN, f32::INFINITY, 1e19, -1e19] {
@@ -329,4 +329,18 @@ fn the_header_is_read_as_written() {
     assert_eq!(octree.interpolant(), Interpolant::Tricubic);
     assert_eq!(octree.continuity(), Continuity::None);
     assert_eq!(field.sections().count(), 3);
+}
+
+#[test]
+fn a_family_that_was_not_asked_for_is_refused() {
+    let bytes = three_levels().bytes();
+    let field = open(&bytes);
+    let octree = Field::open_octree(&bytes).expect("an octree");
+    assert_eq!(octree.validate(), Ok(()));
+    assert_eq!(Field::open_grid(&bytes).err(), Some(Error::Family));
+
+    let point = [0.3, 0.7, 0.2];
+    let bits = |(distance, gradient): (f32, [f32; 3])| (distance.to_bits(), gradient.map(f32::to_bits));
+    assert_eq!(bits(octree.distance_and_gradient(point)), bits(field.distance_and_gradient(point)));
+    assert_eq!(octree.cursor().distance(point).to_bits(), field.distance(point).to_bits());
 }

@@ -196,6 +196,8 @@ fn codes() {
         ("NONE", value(sign_method::NONE)),
         ("PSEUDONORMAL", value(sign_method::PSEUDONORMAL)),
         ("WINDING", value(sign_method::WINDING)),
+        ("RAYS", value(sign_method::RAYS)),
+        ("SHEET", value(sign_method::SHEET)),
     ];
     expect_values("### 3.6 Sign method", &signs);
     let interpolants = [("TRILINEAR", value(interpolant::TRILINEAR)), ("TRICUBIC", value(interpolant::TRICUBIC))];

@@ -1,0 +1,162 @@
+//! Handles that are not open, pointers that are NULL, and numbers that nobody knows.
+
+#![expect(unsafe_code, reason = "the tests call as C does")]
+
+use nearfield_c::*;
+use std::collections::HashSet;
+use std::ffi::CStr;
+use std::mem::MaybeUninit;
+use std::ptr;
+
+const ORIGIN: NearfieldVector = NearfieldVector { x: 0.0, y: 0.0, z: 0.0 };
+const BYTES: &[u8] = include_bytes!("../../../format-spec/vectors/valid/continuity_c1.nfd");
+
+fn closed() -> NearfieldField {
+    // SAFETY: any bits are a handle; zero is one that is not open.
+    unsafe { MaybeUninit::zeroed().assume_init() }
+}
+
+fn open(bytes: &[u8]) -> (NearfieldField, NearfieldResult) {
+    let mut field = closed();
+    // SAFETY: the callers' bytes are static or outlive the handle.
+    let result = unsafe { nearfield_open(&mut field, bytes.as_ptr().cast(), bytes.len()) };
+    (field, result)
+}
+
+fn text(result: i32) -> &'static str {
+    // SAFETY: texts are static and end in a zero.
+    unsafe { CStr::from_ptr(nearfield_result_text(result)) }.to_str().expect("a text")
+}
+
+#[test]
+fn sizes_are_those_of_the_manual() {
+    assert_eq!((size_of::<NearfieldField>(), align_of::<NearfieldField>()), (256, align_of::<u64>()));
+    assert_eq!((size_of::<NearfieldCursor>(), align_of::<NearfieldCursor>()), (1024, align_of::<u64>()));
+}
+
+#[test]
+fn closed_handles_answer_nan() {
+    let (unopened, result) = open(b"solid cube");
+    assert_eq!(result, NearfieldResult::Magic);
+    for field in [None, Some(&closed()), Some(&unopened)] {
+        assert_eq!(nearfield_validate(field), NearfieldResult::NotOpen);
+        assert!(nearfield_distance(field, ORIGIN).is_nan());
+        let sample = nearfield_distance_and_gradient(field, ORIGIN);
+        assert!(sample.distance.is_nan() && sample.gradient.x.is_nan());
+        assert!(nearfield_normal(field, ORIGIN).x.is_nan());
+        assert_eq!(nearfield_clearance(field, ORIGIN), f32::NEG_INFINITY);
+        assert!(!nearfield_is_clear(field, ORIGIN, -1e30));
+        assert_eq!(
+            nearfield_range(field, ORIGIN, ORIGIN),
+            NearfieldRange { min: f32::NEG_INFINITY, max: f32::INFINITY }
+        );
+        assert_eq!(nearfield_closest_point(field, ORIGIN).steps, 0);
+        assert_eq!(nearfield_info(field).lipschitz, 0.0);
+        let ray =
+            NearfieldRay { origin: ORIGIN, direction: NearfieldVector { x: 1.0, ..ORIGIN }, length: 1.0, within: 0.0 };
+        assert_eq!(nearfield_raycast(field, ray).end, NearfieldRayEnd::Miss);
+
+        let mut distance = [7.0_f32];
+        // SAFETY: one point and room for one answer.
+        let count = unsafe { nearfield_distances(field, [0.0_f32; 3].as_ptr(), 12, distance.as_mut_ptr(), 4, 1) };
+        assert_eq!((count, distance), (0, [7.0]));
+
+        let mut cursor = MaybeUninit::uninit();
+        nearfield_cursor(field, Some(&mut cursor));
+        // SAFETY: it was written.
+        let cursor = unsafe { cursor.assume_init_mut() };
+        assert!(nearfield_cursor_distance(Some(cursor), ORIGIN).is_nan());
+        assert!(nearfield_cursor_distance_and_gradient(None, ORIGIN).distance.is_nan());
+    }
+    nearfield_cursor(None, None);
+}
+
+#[test]
+fn null_is_refused() {
+    let mut field = closed();
+    // SAFETY: NULL is what is tested; nothing is read from it.
+    unsafe {
+        assert_eq!(nearfield_open(ptr::null_mut(), BYTES.as_ptr().cast(), BYTES.len()), NearfieldResult::Null);
+        assert_eq!(nearfield_open(&mut field, ptr::null(), 1), NearfieldResult::Null);
+        assert_eq!(nearfield_open(&mut field, ptr::null(), 0), NearfieldResult::Truncated);
+        assert_eq!(nearfield_open(&mut field, BYTES.as_ptr().cast(), usize::MAX), NearfieldResult::FileLength);
+    }
+    let (field, result) = open(BYTES);
+    assert_eq!(result, NearfieldResult::Ok);
+    // SAFETY: as above.
+    unsafe {
+        assert_eq!(nearfield_distances(Some(&field), ptr::null(), 12, [0.0_f32].as_mut_ptr(), 4, 1), 0);
+        assert_eq!(nearfield_distances(Some(&field), [0.0_f32; 3].as_ptr(), 12, ptr::null_mut(), 4, 1), 0);
+    }
+}
+
+#[test]
+fn a_handle_may_be_copied_and_opened_again() {
+    let (field, _) = open(BYTES);
+    let copy = field;
+    assert_eq!(nearfield_validate(Some(&copy)), NearfieldResult::Ok);
+    assert_eq!(nearfield_distance(Some(&copy), ORIGIN).to_bits(), nearfield_distance(Some(&field), ORIGIN).to_bits());
+    let mut again = copy;
+    // SAFETY: static bytes.
+    assert_eq!(unsafe { nearfield_open(&mut again, b"".as_ptr().cast(), 0) }, NearfieldResult::Truncated);
+    assert!(nearfield_distance(Some(&again), ORIGIN).is_nan(), "a failed open closes the handle");
+}
+
+#[test]
+fn batches_follow_their_strides_at_any_alignment() {
+    let (field, _) = open(BYTES);
+    let info = nearfield_info(Some(&field));
+    let points: Vec<[f32; 3]> = (0..9).map(|step| [info.box_min.x + step as f32 * 0.1; 3]).collect();
+
+    // Records of 19 bytes from an odd address; the answer overwrites the y of its point.
+    let mut records = vec![0_u8; 1 + 19 * points.len()];
+    for (record, point) in records[1..].chunks_mut(19).zip(&points) {
+        for (place, coordinate) in record.chunks_mut(4).zip(point) {
+            place.copy_from_slice(&coordinate.to_ne_bytes());
+        }
+    }
+    let first = records[1..].as_mut_ptr();
+    // SAFETY: each record has room for a point, and for an answer 4 bytes into it.
+    let count = unsafe { nearfield_distances(Some(&field), first.cast(), 19, first.add(4).cast(), 19, points.len()) };
+
+    assert_eq!(count, points.len());
+    for (record, point) in records[1..].chunks(19).zip(&points) {
+        let answer = f32::from_ne_bytes(record[4..8].try_into().expect("four bytes"));
+        assert_eq!(answer.to_bits(), nearfield_distance(Some(&field), (*point).into()).to_bits());
+    }
+}
+
+#[test]
+#[cfg_attr(miri, ignore = "compares texts, slowly there")]
+fn every_error_of_the_reader_has_its_number_and_its_words() {
+    // The source tells which there are: no Rust program outside the reader can.
+    let source = include_str!("../../src/error.rs");
+    let enumeration = source.split("pub enum Error {").nth(1).and_then(|rest| rest.split("\n}").next());
+    let names = enumeration.expect("the enumeration").lines().map(str::trim);
+    let names: Vec<&str> =
+        names.filter(|line| !line.starts_with("//")).filter_map(|line| line.strip_suffix(',')).collect();
+    assert!(names.len() > 30, "{names:?}");
+
+    let mine = include_str!("../src/result.rs");
+    let mapped = mine.split("\nerrors! {").nth(1).expect("the table");
+    for name in &names {
+        assert!(mapped.split_whitespace().any(|word| word == *name), "{name} has no number");
+    }
+
+    let texts: HashSet<&str> = (0..=names.len() as i32).map(text).collect();
+    assert_eq!(texts.len(), names.len() + 1, "numbers without gaps, each with words of its own");
+    assert_eq!(text(NearfieldResult::Magic as i32), nearfield::Error::Magic.text());
+    assert_eq!(text(-1), text(NearfieldResult::Other as i32));
+}
+
+#[test]
+fn versions_are_those_of_the_reader() {
+    assert_eq!(nearfield_abi_version(), NEARFIELD_ABI_VERSION);
+    let soname = format!("libnearfield_c.so.{NEARFIELD_ABI_VERSION}");
+    assert!(include_str!("../build.rs").contains(&soname), "build.rs must name {soname}");
+    let format = nearfield_format();
+    assert_eq!(
+        (format.major, format.newest_minor),
+        (nearfield::layout::VERSION_MAJOR, nearfield::layout::VERSION_MINOR)
+    );
+}

@@ -1,0 +1,128 @@
+// The package in Node, as its users import it: built by `npm run build`.
+import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import test from "node:test";
+import { FieldError, open } from "nearfield";
+
+const vectors = new URL("../../../format-spec/vectors/", import.meta.url);
+
+async function names(folder) {
+  const all = await readdir(new URL(folder, vectors));
+  return all.filter((name) => name.endsWith(".nfd")).map((name) => folder + name);
+}
+
+async function bytesOf(name) {
+  return readFile(new URL(name, vectors));
+}
+
+test("the answers of every vector of the format", async () => {
+  const valid = await names("valid/");
+  assert.ok(valid.length > 50);
+  for (const name of valid) {
+    const field = await open(await bytesOf(name));
+    const answers = JSON.parse(await readFile(new URL(name.replace(".nfd", ".json"), vectors), "utf8"), beyondJson);
+    const points = new Float32Array(answers.flatMap(({ point }) => point));
+    const { distances, gradients } = field.distancesAndGradients(points);
+
+    for (const [index, answer] of answers.entries()) {
+      const where = `${name} at ${answer.point}`;
+      near(distances[index], answer.distance, answer.distance_tolerance, where);
+      for (const axis of [0, 1, 2]) {
+        near(gradients[index * 3 + axis], answer.gradient[axis], answer.gradient_tolerance, where);
+      }
+
+      // Every way to ask gives the same bits.
+      const one = field.distanceAndGradient(...answer.point);
+      assert.equal(one.distance, distances[index], where);
+      assert.deepEqual(one.gradient, [...gradients.subarray(index * 3, index * 3 + 3)], where);
+      assert.equal(field.distance(...answer.point), distances[index], where);
+    }
+    assert.deepEqual(field.distances(points), distances, name);
+  }
+});
+
+test("no invalid vector opens", async () => {
+  const invalid = await names("invalid/");
+  assert.ok(invalid.length > 50);
+  for (const name of invalid) {
+    await assert.rejects(bytesOf(name).then(open), FieldError, name);
+  }
+  await assert.rejects(open(new TextEncoder().encode("solid cube")), /does not start with the magic number/);
+  await assert.rejects(open(new Uint8Array()), FieldError);
+});
+
+test("the header is there", async () => {
+  const name = "valid/all_samples_full_f32.nfd";
+  const bytes = await bytesOf(name);
+  const field = await open(bytes);
+  const [min, max] = field.bounds;
+  for (const axis of [0, 1, 2]) assert.ok(min[axis] < max[axis]);
+  assert.ok(field.lipschitz >= 0 && field.diagonal >= 0 && field.targetError >= 0);
+  const { contract } = field;
+  assert.ok(contract.sampleCount === 0 ? contract.maxError === Infinity : contract.maxError >= contract.uniform.rmse);
+  assert.ok(Number.isInteger(contract.sampleCount) && Number.isInteger(contract.doubtfulSigns));
+});
+
+test("many points pass through a small memory", async () => {
+  const field = await open(await bytesOf("valid/smallest_cells.nfd"));
+  const [min, max] = field.bounds;
+  const points = new Float32Array(3 * 100_001);
+  for (let index = 0; index < points.length; index++) {
+    const axis = index % 3;
+    points[index] = min[axis] + ((index * 0.618034) % 1.2) * (max[axis] - min[axis]);
+  }
+  const distances = field.distances(points);
+  assert.equal(distances.length, 100_001);
+  for (let index = 0; index < distances.length; index += 997) {
+    assert.equal(distances[index], field.distance(...points.subarray(index * 3, index * 3 + 3)));
+  }
+  const into = new Float32Array(100_001);
+  assert.equal(field.distances(points, into), into);
+  assert.deepEqual(into, distances);
+  assert.throws(() => field.distances(new Float32Array(4)), RangeError);
+  assert.equal(field.distances(new Float32Array()).length, 0);
+});
+
+test("two fields do not disturb each other", async () => {
+  const [first, second] = await Promise.all([bytesOf("valid/smallest_cells.nfd"), bytesOf("valid/all_samples_full_f32.nfd")]);
+  const [a, b] = await Promise.all([open(first), open(second)]);
+  const before = a.distance(1, 2, 3);
+  b.distances(new Float32Array(3000).fill(0.5));
+  assert.equal(a.distance(1, 2, 3), before);
+});
+
+test("rays and descents stay with the field", async () => {
+  for (const name of await names("valid/")) {
+    const field = await open(await bytesOf(name));
+    const [min, max] = field.bounds;
+    const middle = min.map((low, axis) => (low + max[axis]) / 2);
+    const end = field.closestPoint(...middle);
+    near(field.distance(...end.point), end.residual, 0, name);
+    assert.ok(Math.abs(end.residual) <= Math.abs(field.distance(...middle)), name);
+
+    const start = [min[0] - 1, middle[1], middle[2]];
+    const ray = field.raycast(start, [2, 0, 0]);
+    if (ray.kind !== "hit") continue;
+    near(ray.point[0], start[0] + ray.distance, 1e-3 * (max[0] - min[0]) + 1e-6 * Math.abs(max[0]), name);
+    assert.equal(field.raycast(start, [2, 0, 0], { length: 0.5 }).kind, "miss", name);
+  }
+});
+
+test("odd points and rays have documented answers", async () => {
+  const field = await open(await bytesOf("valid/smallest_cells.nfd"));
+  assert.ok(Number.isNaN(field.distance(NaN, 0, 0)));
+  assert.equal(field.distance(Infinity, 0, 0), Infinity);
+  assert.ok(Number.isFinite(field.distance(1e30, 0, 0)));
+  assert.ok(field.clearance(NaN, 0, 0) <= 0);
+  assert.deepEqual(field.raycast([0, 0, 0], [0, 0, 0]), { kind: "miss" });
+});
+
+// What JSON has no numbers for.
+function beyondJson(_key, value) {
+  return { inf: Infinity, "-inf": -Infinity, nan: NaN }[value] ?? value;
+}
+
+function near(actual, expected, tolerance, where) {
+  const isNear = Object.is(actual, expected) || Math.abs(actual - expected) <= tolerance;
+  assert.ok(isNear, `${where}: ${actual} is not within ${tolerance} of ${expected}`);
+}

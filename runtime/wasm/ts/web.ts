@@ -1,0 +1,25 @@
+/** The entry for browsers and bundlers: the module is fetched from beside this file. */
+import { Field } from "./field.js";
+
+export * from "./field.js";
+
+let compiled: Promise<WebAssembly.Module> | undefined;
+
+/**
+ * Opens a field after copying and checking every byte of its file.
+ *
+ * The module is fetched with the first field, unless one is given.
+ *
+ * @throws FieldError when they are not a sound field.
+ */
+export async function open(bytes: Uint8Array, module?: WebAssembly.Module): Promise<Field> {
+  return Field.open(bytes, module ?? (await (compiled ??= compile())));
+}
+
+async function compile(): Promise<WebAssembly.Module> {
+  const url = new URL("./nearfield.wasm", import.meta.url);
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url.href}: ${response.status} ${response.statusText}`);
+  // Not compileStreaming: it fails where a server does not know the type of the file.
+  return WebAssembly.compile(await response.arrayBuffer());
+}
