@@ -6,6 +6,8 @@ mod accuracy;
 mod any_bytes;
 /// Data flows one way through the baker, and the reader stands alone.
 mod architecture;
+/// Octrees of polynomials keep to their targets in error and in bytes.
+mod baked_polynomials;
 /// The reader accepts what the specification says, answers it so, and refuses the rest by name.
 mod conformance;
 /// Leaves meet as the file says they do.

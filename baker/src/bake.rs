@@ -1,17 +1,19 @@
 //! The pipeline, on one screen.
 
+use crate::budget::{self, TooSmall};
 use crate::distance::{SignMethod, SignedDistance};
-use crate::encode::{EncodeError, Provenance, encode, encode_grid, write_contract};
+use crate::encode::{EncodeError, Provenance, encode, encode_grid, encode_polynomial, write_contract, write_lipschitz};
 use crate::field_function::FieldFunction;
 use crate::geometry::Aabb;
 use crate::grid::{self, Grid};
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
 use crate::octree::domain::Domain;
+use crate::polynomial::PolynomialOctree;
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
-use crate::settings::{Layout, Settings, SettingsError};
-use crate::verify::{self, CONTRACT_SEED};
+use crate::settings::{Layout, Settings, SettingsError, Target};
+use crate::verify::{self, CONTRACT_SEED, Measurement};
 use nearfield::Field;
 use nearfield::layout::{self, limit};
 use thiserror::Error;
@@ -46,6 +48,16 @@ pub enum BakeError {
     /// The format cannot hold the field.
     #[error(transparent)]
     Encode(#[from] EncodeError),
+    /// The smallest field is larger than the bytes allow.
+    #[error(
+        "no field of this mesh and these settings is smaller than {smallest} bytes, which is more than {max_bytes}"
+    )]
+    Budget {
+        /// Bytes that were allowed.
+        max_bytes: u64,
+        /// Bytes of the smallest field.
+        smallest: usize,
+    },
     /// The reader rejects what was encoded: a defect of the baker.
     #[error("the baker wrote a field that its own reader rejects ({0}); please report this")]
     Rejected(nearfield::Error),
@@ -78,13 +90,13 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
 
     // 2. Samples, 3. bytes.
     let Built { mut bytes, leaves_by_level, samples } =
-        build(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
+        build_within_budget(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     // 4. The error contract, as the shipping reader answers.
     stopwatch.stage("verify");
     let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
     let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
-    write_contract(&mut bytes, &measurement.contract());
+    finish(&mut bytes, settings, &measurement);
 
     let report = Report { sign: Some(decision), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
@@ -117,14 +129,25 @@ pub fn bake_function(
     };
     let mut stopwatch = Stopwatch::start(progress);
     let Built { mut bytes, leaves_by_level, samples } =
-        build(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
+        build_within_budget(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     stopwatch.stage("verify");
     let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
     let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
-    write_contract(&mut bytes, &measurement.contract());
+    finish(&mut bytes, settings, &measurement);
     let report = Report { sign: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
+}
+
+/// How much steeper than the steepest slope that was measured a blended field is allowed to be.
+const SLOPE_MARGIN: f64 = 1.25;
+
+/// Writes into the header what was measured.
+fn finish(bytes: &mut [u8], settings: &Settings, measurement: &Measurement) {
+    write_contract(bytes, &measurement.contract());
+    if matches!(settings.layout, Layout::Polynomial(_)) {
+        write_lipschitz(bytes, SLOPE_MARGIN * measurement.steepest.max(1.0));
+    }
 }
 
 /// What the layouts have in common once they are bytes.
@@ -132,6 +155,28 @@ struct Built {
     bytes: Vec<u8>,
     leaves_by_level: Vec<usize>,
     samples: usize,
+}
+
+/// Builds once, or as often as it takes to find the least error that fits.
+fn build_within_budget(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    provenance: &Provenance,
+    stopwatch: &mut Stopwatch<'_>,
+    progress: &dyn Progress,
+) -> Result<Built, BakeError> {
+    let Some(max_bytes) = settings.max_bytes else {
+        return build(function, bounds, settings, provenance, stopwatch, progress);
+    };
+    let with_error = |error: f64| {
+        let target_error = error * provenance.diagonal;
+        let settings = Settings { error: Target::Absolute(target_error), ..*settings };
+        let provenance = Provenance { target_error, ..*provenance };
+        build(function, bounds, &settings, &provenance, stopwatch, progress).ok()
+    };
+    budget::finest_within(usize::try_from(max_bytes).unwrap_or(usize::MAX), with_error, |built| built.bytes.len())
+        .map_err(|TooSmall { smallest }| BakeError::Budget { max_bytes, smallest })
 }
 
 fn build(
@@ -143,6 +188,13 @@ fn build(
     progress: &dyn Progress,
 ) -> Result<Built, BakeError> {
     match &settings.layout {
+        Layout::Polynomial(polynomial) => {
+            stopwatch.stage("octree");
+            let octree = PolynomialOctree::build(function, bounds, settings, polynomial, provenance.diagonal, progress);
+            stopwatch.stage("encode");
+            let bytes = encode_polynomial(&octree, provenance)?;
+            Ok(Built { bytes, leaves_by_level: octree.leaves_by_level(), samples: octree.samples })
+        }
         Layout::Octree => {
             stopwatch.stage("octree");
             let octree = Octree::build(function, bounds, settings, provenance.target_error, progress);
@@ -163,7 +215,7 @@ fn build(
 /// The reader computes in `f32`: lengths must stay in its range.
 fn check_extent(bounds: &Aabb, settings: &Settings) -> Result<(), BakeError> {
     let (edge, min, max) = match &settings.layout {
-        Layout::Octree => {
+        Layout::Octree | Layout::Polynomial(_) => {
             let domain = Domain::around(bounds, settings);
             let max = domain.origin + domain.root_cells.as_dvec3() * domain.root_edge;
             (domain.root_edge, domain.origin, max)

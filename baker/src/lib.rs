@@ -2,6 +2,7 @@
 
 mod bake;
 pub mod batch;
+mod budget;
 pub mod corner;
 pub mod depfile;
 pub mod distance;
@@ -16,6 +17,7 @@ pub mod morton;
 pub mod octree;
 pub mod output;
 pub mod picture;
+pub mod polynomial;
 pub mod progress;
 pub mod quantize;
 pub mod random;

@@ -3,6 +3,7 @@
 use crate::distance::SignChoice;
 use nearfield::layout::grid::{MAX_ORDER, MIN_RESOLUTION};
 use nearfield::layout::octree::MAX_DEPTH;
+use nearfield::layout::polynomial::{MAX_OVERLAP, MIN_OVERLAP};
 use thiserror::Error;
 
 /// The root mean square error asked of every leaf.
@@ -63,11 +64,42 @@ pub enum Precision {
 /// How a field is represented.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Layout {
-    /// Adaptive cells (Pujol and Chica 2023).
+    /// Adaptive cells that interpolate samples at their corners (Pujol and Chica 2023).
     Octree,
+    /// Adaptive cells that each hold a polynomial, or the lesser or greater of two, blended where they meet.
+    Polynomial(PolynomialSettings),
     /// A uniform grid (Bán and Valasek 2020; Valasek and Bán 2022).
     Grid(GridSettings),
 }
+
+/// What is asked of a polynomial octree, beside the target error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolynomialSettings {
+    /// Greatest error asked for.
+    pub max_error: Option<Target>,
+    /// Where the error may be.
+    pub profile: Profile,
+    /// How far leaves reach into their neighbours, as a share of their edge, if the field is to be continuous.
+    pub overlap: f64,
+}
+
+impl Default for PolynomialSettings {
+    fn default() -> Self {
+        Self { max_error: None, profile: Profile::Uniform, overlap: 0.2 }
+    }
+}
+
+/// Where a polynomial octree may err.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profile {
+    /// Equally everywhere.
+    Uniform,
+    /// Farther from the surface than [`NEAR`] of the diagonal in proportion to the distance.
+    Surface,
+}
+
+/// Within this share of the diagonal of the surface, tolerances of [`Profile::Surface`] are constant.
+pub const NEAR: f64 = 0.02;
 
 /// What is asked of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,6 +184,8 @@ pub struct Settings {
     pub layout: Layout,
     /// Target error of every leaf.
     pub error: Target,
+    /// Bytes that the file of an octree may take; the error is then the least that fits, and `error` is not looked at.
+    pub max_bytes: Option<u64>,
     /// Interpolant of the leaves.
     pub interpolant: Interpolant,
     /// Continuity across levels.
@@ -175,6 +209,7 @@ impl Default for Settings {
         Self {
             layout: Layout::Octree,
             error: Target::Relative(5e-4),
+            max_bytes: None,
             interpolant: Interpolant::Tricubic,
             continuity: Continuity::C1,
             precision: Precision::Packed32,
@@ -193,6 +228,17 @@ pub enum SettingsError {
     /// The target is zero, negative or not finite.
     #[error("the target error must be a positive number, not {0}")]
     Target(f64),
+    /// The greatest error is zero, negative or not finite.
+    #[error("the greatest error must be a positive number, not {0}")]
+    MaxError(f64),
+    /// The overlap is not one of the format.
+    #[error(
+        "the overlap must be from {MIN_OVERLAP} to {MAX_OVERLAP}, not {0}; for none at all, ask for --continuity none"
+    )]
+    Overlap(f64),
+    /// The size of a grid follows from its resolution.
+    #[error("the size of a grid follows from its resolution: ask for --resolution, or for --layout octree")]
+    GridBytes,
     /// The margin is negative or not finite.
     #[error("the margin must be zero or more and at most 100, not {0}")]
     Margin(f64),
@@ -225,6 +271,17 @@ pub enum SettingsError {
     /// Nothing would be measured.
     #[error("at least one sample is needed to measure the error")]
     Samples,
+}
+
+impl PolynomialSettings {
+    /// Checks what the types cannot say.
+    fn check(&self) -> Result<(), SettingsError> {
+        if let Some(max) = self.max_error.map(Target::number).filter(|max| !(max.is_finite() && *max > 0.0)) {
+            return Err(SettingsError::MaxError(max));
+        }
+        let is_overlap = (MIN_OVERLAP..=MAX_OVERLAP).contains(&(self.overlap as f32));
+        if is_overlap { Ok(()) } else { Err(SettingsError::Overlap(self.overlap)) }
+    }
 }
 
 impl GridSettings {
@@ -274,11 +331,14 @@ impl Settings {
         if self.start_depth > self.max_depth || self.max_depth > MAX_DEPTH {
             return Err(SettingsError::Depth { start: self.start_depth, max: self.max_depth });
         }
-        if self.interpolant == Interpolant::Trilinear && self.continuity == Continuity::C1 {
-            return Err(SettingsError::TrilinearC1);
-        }
-        if let Layout::Grid(grid) = &self.layout {
-            grid.check()?;
+        match &self.layout {
+            Layout::Octree if self.interpolant == Interpolant::Trilinear && self.continuity == Continuity::C1 => {
+                return Err(SettingsError::TrilinearC1);
+            }
+            Layout::Octree => {}
+            Layout::Polynomial(polynomial) => polynomial.check()?,
+            Layout::Grid(_) if self.max_bytes.is_some() => return Err(SettingsError::GridBytes),
+            Layout::Grid(grid) => grid.check()?,
         }
         if self.samples == 0 {
             return Err(SettingsError::Samples);

@@ -69,6 +69,7 @@ pub fn bake_small(bytes: &[u8]) {
 fn settings(numbers: &mut Numbers<'_>) -> Settings {
     let start_depth = numbers.below(4);
     Settings {
+        max_bytes: None,
         layout: Layout::Octree,
         error: Target::Relative((f64::from(numbers.next()) + 1.0) / 2000.0),
         interpolant: [Interpolant::Trilinear, Interpolant::Tricubic][usize::from(numbers.below(2))],

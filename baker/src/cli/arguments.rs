@@ -96,3 +96,13 @@ pub(super) fn not_negative(text: &str) -> Result<f64, String> {
         _ => Err("it must be a number, 0 or more".to_owned()),
     }
 }
+
+/// A number of bytes, with K for 1024 and M for 1024 K.
+pub(super) fn bytes(text: &str) -> Result<u64, String> {
+    let (digits, unit) = match text.strip_suffix(['K', 'k']) {
+        Some(digits) => (digits, 1 << 10),
+        None => text.strip_suffix(['M', 'm']).map_or((text, 1), |digits| (digits, 1 << 20)),
+    };
+    let number = digits.parse::<u64>().ok().and_then(|number| number.checked_mul(unit)).filter(|&number| number > 0);
+    number.ok_or_else(|| "it must be a number of bytes above 0, as 65536, 64K or 2M".to_owned())
+}

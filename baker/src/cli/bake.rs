@@ -1,6 +1,6 @@
 //! `nearfield bake`: a mesh to a field.
 
-use super::arguments::{SignArguments, Threads, not_negative, positive};
+use super::arguments::{SignArguments, Threads, bytes, not_negative, positive};
 use super::exit_code::Failure;
 use super::grid_arguments::GridArguments;
 use super::mesh_arguments::MeshArguments;
@@ -12,7 +12,7 @@ use nearfield_bake::batch::Asset;
 use nearfield_bake::depfile;
 use nearfield_bake::import;
 use nearfield_bake::report::Stopwatch;
-use nearfield_bake::settings::{self, Settings, Target};
+use nearfield_bake::settings::{self, Layout, PolynomialSettings, Settings, Target};
 use nearfield_bake::verify::Measurement;
 use nearfield_bake::{BakeError, bake};
 use std::ffi::OsStr;
@@ -28,6 +28,8 @@ use std::path::{Path, PathBuf};
 Examples:
   nearfield bake spot.ply -o spot.nfd
   nearfield bake part.obj -o part.nfd --error-abs 0.05 --precision f16
+  nearfield bake spot.ply -o small.nfd --error 1e-3 --profile surface
+  nearfield bake spot.ply -o tiny.nfd --max-bytes 16K
   nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json
   nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
   nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed")]
@@ -47,15 +49,31 @@ pub(super) struct Bake {
     #[arg(long, value_name = "E", value_parser = positive, conflicts_with = "error")]
     error_abs: Option<f64>,
 
-    /// What stays continuous where leaves of different sizes meet [default: c1; c0 for trilinear leaves]
+    /// Bytes that the field may take, as 65536, 64K or 2M; the error is then the least that fits
+    #[arg(long, value_name = "N", value_parser = bytes, conflicts_with_all = ["error", "error_abs"])]
+    max_bytes: Option<u64>,
+
+    /// What stays continuous where leaves meet [default: c1; c0 for trilinear leaves]
     #[arg(long, value_enum, value_name = "C")]
     continuity: Option<Continuity>,
 
-    /// What a leaf interpolates
+    /// What a leaf of an octree answers
     #[arg(long, value_enum, value_name = "I", default_value_t = Interpolant::Auto)]
     interpolant: Interpolant,
 
-    /// How samples are stored
+    /// Greatest error asked for, as a fraction of the diagonal; of polynomial leaves
+    #[arg(long, value_name = "E", value_parser = positive)]
+    max_error: Option<f64>,
+
+    /// Where polynomial leaves may err
+    #[arg(long, value_enum, value_name = "P", default_value_t = Profile::Uniform)]
+    profile: Profile,
+
+    /// How far continuous polynomial leaves reach into their neighbours, as a share of their edge
+    #[arg(long, value_name = "R", value_parser = positive, default_value_t = PolynomialSettings::default().overlap)]
+    overlap: f64,
+
+    /// How samples of trilinear and tricubic leaves and of grids are stored
     #[arg(long, value_enum, value_name = "P", default_value_t = Precision::Packed32)]
     precision: Precision,
 
@@ -114,18 +132,28 @@ enum Continuity {
     None,
     /// The value
     C0,
-    /// Value and gradient; tricubic leaves only
+    /// Value and gradient; not for trilinear leaves
     C1,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Interpolant {
-    /// The baker chooses: tricubic
+    /// The baker chooses: polynomial
     Auto,
-    /// Distances
+    /// A polynomial for each leaf, or the lesser or greater of two, blended with the neighbours
+    Polynomial,
+    /// Distances at the corners
     Trilinear,
-    /// Distances and gradients
+    /// Distances and gradients at the corners
     Tricubic,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Profile {
+    /// Equally everywhere
+    Uniform,
+    /// Farther from the surface than 2 % of the diagonal in proportion to the distance
+    Surface,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -251,7 +279,7 @@ impl Bake {
     pub(super) fn settings(&self) -> Result<Settings, Failure> {
         let interpolant = match self.interpolant {
             Interpolant::Trilinear => settings::Interpolant::Trilinear,
-            Interpolant::Auto | Interpolant::Tricubic => settings::Interpolant::Tricubic,
+            Interpolant::Auto | Interpolant::Polynomial | Interpolant::Tricubic => settings::Interpolant::Tricubic,
         };
         let continuity = match (self.continuity, interpolant) {
             (Some(Continuity::None), _) => settings::Continuity::None,
@@ -259,8 +287,9 @@ impl Bake {
             (Some(Continuity::C1), _) | (None, settings::Interpolant::Tricubic) => settings::Continuity::C1,
         };
         let settings = Settings {
-            layout: self.grid.layout()?,
+            layout: self.layout()?,
             error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
+            max_bytes: self.max_bytes,
             interpolant,
             continuity,
             precision: match self.precision {
@@ -278,13 +307,34 @@ impl Bake {
         settings.check().map_err(|error| Failure::Usage(error.to_string()))?;
         Ok(settings)
     }
+
+    fn layout(&self) -> Result<Layout, Failure> {
+        let layout = self.grid.layout()?;
+        let polynomial = PolynomialSettings {
+            max_error: self.max_error.map(Target::Relative),
+            profile: match self.profile {
+                Profile::Uniform => settings::Profile::Uniform,
+                Profile::Surface => settings::Profile::Surface,
+            },
+            overlap: self.overlap,
+        };
+        if layout == Layout::Octree && matches!(self.interpolant, Interpolant::Auto | Interpolant::Polynomial) {
+            return Ok(Layout::Polynomial(polynomial));
+        }
+        if polynomial != PolynomialSettings::default() {
+            let sentence =
+                "--max-error, --profile and --overlap are of polynomial leaves: use --interpolant polynomial";
+            return Err(Failure::Usage(sentence.to_owned()));
+        }
+        Ok(layout)
+    }
 }
 
 pub(super) fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
         BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),
-        BakeError::Encode(error) => Failure::Budget(error.to_string()),
+        BakeError::Encode(_) | BakeError::Budget { .. } => Failure::Budget(format!("{}: {error}", mesh.display())),
         BakeError::Rejected(_) => Failure::Field(error.to_string()),
     }
 }

@@ -6,7 +6,9 @@ use nearfield::Field;
 use nearfield_bake::distance::SignMethod;
 use nearfield_bake::mesh::{CheckedMesh, Role};
 use nearfield_bake::report::{Report, Stage};
-use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
+use nearfield_bake::settings::{
+    Continuity, Interpolant, Layout, PolynomialSettings, Precision, Profile, Settings, Target,
+};
 use nearfield_bake::verify::Measurement;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -31,11 +33,14 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         warnings.push(doubt(&report.measurement));
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
-    if settings.layout == Layout::Octree && report.measurement.uniform.rmse > target {
-        warnings.push(format!(
-            "the error is {:.2} times the target; raise --max-depth or the target",
-            report.measurement.uniform.rmse / target
-        ));
+    let error = match &settings.layout {
+        Layout::Polynomial(polynomial) if polynomial.profile == Profile::Surface => report.measurement.band.rmse,
+        Layout::Polynomial(_) | Layout::Octree => report.measurement.uniform.rmse,
+        Layout::Grid(_) => 0.0,
+    };
+    if error > target {
+        let times = error / target;
+        warnings.push(format!("the error is {times:.2} times the target; raise --max-depth or the target"));
     }
     warnings
 }
@@ -182,6 +187,8 @@ struct SettingsReport {
     error: f64,
     error_is_relative: bool,
     interpolant: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polynomial: Option<PolynomialReport>,
     continuity: &'static str,
     precision: &'static str,
     start_depth: u8,
@@ -189,6 +196,27 @@ struct SettingsReport {
     margin: f64,
     /// Points at which the finished field is measured.
     samples: u32,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct PolynomialReport {
+    profile: &'static str,
+    /// As asked for, a fraction of the diagonal or mesh units as the error is.
+    max_error: Option<f64>,
+    overlap: f64,
+}
+
+impl PolynomialReport {
+    fn of(settings: &PolynomialSettings) -> Self {
+        Self {
+            profile: match settings.profile {
+                Profile::Uniform => "uniform",
+                Profile::Surface => "surface",
+            },
+            max_error: settings.max_error.map(|(Target::Relative(error) | Target::Absolute(error))| error),
+            overlap: settings.overlap,
+        }
+    }
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -241,9 +269,14 @@ pub(super) fn report(
         settings: SettingsReport {
             error,
             error_is_relative,
-            interpolant: match settings.interpolant {
-                Interpolant::Trilinear => "trilinear",
-                Interpolant::Tricubic => "tricubic",
+            interpolant: match (&settings.layout, settings.interpolant) {
+                (Layout::Polynomial(_), _) => "polynomial",
+                (_, Interpolant::Trilinear) => "trilinear",
+                (_, Interpolant::Tricubic) => "tricubic",
+            },
+            polynomial: match &settings.layout {
+                Layout::Polynomial(polynomial) => Some(PolynomialReport::of(polynomial)),
+                Layout::Octree | Layout::Grid(_) => None,
             },
             continuity: match settings.continuity {
                 Continuity::None => "none",

@@ -4,7 +4,9 @@ use super::error_table::{self, ContractReport};
 use super::exit_code::Failure;
 use super::{files, print, to_json};
 use clap::Args;
-use nearfield::{Continuity, Field, Grid, GridPrecision, Interpolant, Octree, Reconstruction, SignMethod};
+use nearfield::{
+    Continuity, Field, Grid, GridPrecision, Interpolant, Leaf, Octree, PolynomialOctree, Reconstruction, SignMethod,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
@@ -40,6 +42,8 @@ pub(super) struct InfoReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     octree: Option<OctreeReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    polynomial_octree: Option<PolynomialOctreeReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     grid: Option<GridReport>,
     sections: Vec<SectionReport>,
     mesh_hash: String,
@@ -56,6 +60,23 @@ struct OctreeReport {
     continuity: &'static str,
     leaves: u32,
     /// Edge of the smallest leaves: walls thinner than this may be lost. Mesh units.
+    smallest_edge: f32,
+    /// One entry a level, from the root cells down.
+    leaves_by_level: Vec<u32>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct PolynomialOctreeReport {
+    root_cells: [u32; 3],
+    root_edge: f32,
+    depth: u8,
+    continuity: &'static str,
+    /// How far leaves reach into their neighbours, as a share of their edge.
+    overlap: f32,
+    /// Finest step of a coefficient, mesh units.
+    quantum: f32,
+    leaves: u32,
+    /// Edge of the smallest leaves, mesh units.
     smallest_edge: f32,
     /// One entry a level, from the root cells down.
     leaves_by_level: Vec<u32>,
@@ -110,6 +131,7 @@ impl InfoReport {
                 _ => "none",
             },
             octree: field.octree().as_ref().map(OctreeReport::of),
+            polynomial_octree: field.polynomial_octree().as_ref().map(PolynomialOctreeReport::of),
             grid: field.grid().as_ref().map(GridReport::of),
             sections: field
                 .sections()
@@ -132,10 +154,11 @@ impl InfoReport {
 
     /// How many leaves there are, in all and by level, or how many samples.
     pub(super) fn cells(&self) -> String {
-        match (&self.octree, &self.grid) {
-            (Some(octree), _) => format!("leaves {}", octree.leaves()),
-            (None, Some(grid)) => format!("samples {}", grid.samples()),
-            (None, None) => "nothing that this program knows".to_owned(),
+        match (&self.octree, &self.polynomial_octree, &self.grid) {
+            (Some(octree), _, _) => format!("leaves {}", leaves(octree.leaves, &octree.leaves_by_level)),
+            (_, Some(octree), _) => format!("leaves {}", leaves(octree.leaves, &octree.leaves_by_level)),
+            (_, _, Some(grid)) => format!("samples {}", grid.samples()),
+            (None, None, None) => "nothing that this program knows".to_owned(),
         }
     }
 
@@ -157,7 +180,14 @@ impl InfoReport {
             let [x, y, z] = octree.root_cells;
             line("octree", format!("{}, continuity {}", octree.interpolant, octree.continuity));
             line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
-            line("leaves", octree.leaves());
+            line("leaves", leaves(octree.leaves, &octree.leaves_by_level));
+            line("smallest", format!("{} (edge of the smallest leaves, mesh units)", octree.smallest_edge));
+        }
+        if let Some(octree) = &self.polynomial_octree {
+            let [x, y, z] = octree.root_cells;
+            line("octree", format!("polynomial, continuity {}, overlap {}", octree.continuity, octree.overlap));
+            line("root cells", format!("{x} x {y} x {z} of edge {}", octree.root_edge));
+            line("leaves", leaves(octree.leaves, &octree.leaves_by_level));
             line("smallest", format!("{} (edge of the smallest leaves, mesh units)", octree.smallest_edge));
         }
         if let Some(grid) = &self.grid {
@@ -177,19 +207,16 @@ impl InfoReport {
     }
 }
 
-impl OctreeReport {
-    /// How many leaves there are, in all and by level.
-    fn leaves(&self) -> String {
-        let levels = self.leaves_by_level.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
-        let levels: Vec<String> = levels.map(|(level, leaves)| format!("{leaves} at level {level}")).collect();
-        format!("{}: {}", self.leaves, levels.join(", "))
-    }
+/// How many leaves there are, in all and by level.
+fn leaves(count: u32, by_level: &[u32]) -> String {
+    let levels = by_level.iter().enumerate().filter(|(_, leaves)| **leaves > 0);
+    let levels: Vec<String> = levels.map(|(level, leaves)| format!("{leaves} at level {level}")).collect();
+    format!("{count}: {}", levels.join(", "))
+}
 
+impl OctreeReport {
     fn of(octree: &Octree<'_>) -> Self {
-        let mut leaves_by_level = vec![0; usize::from(octree.depth()) + 1];
-        for leaf in octree.leaves() {
-            leaves_by_level[usize::from(leaf.level)] += 1;
-        }
+        let leaves_by_level = by_level(octree.depth(), octree.leaves());
         Self {
             root_cells: octree.root_cells(),
             root_edge: octree.root_edge(),
@@ -199,23 +226,51 @@ impl OctreeReport {
                 Interpolant::Tricubic => "tricubic",
                 _ => "unknown",
             },
-            continuity: match octree.continuity() {
-                Continuity::None => "none",
-                Continuity::C0 => "c0",
-                Continuity::C1 => "c1",
-                _ => "unknown",
-            },
+            continuity: name_of(octree.continuity()),
             leaves: octree.leaf_count(),
-            smallest_edge: smallest_edge(octree, &leaves_by_level),
+            smallest_edge: octree.edge(deepest(&leaves_by_level)),
             leaves_by_level,
         }
     }
 }
 
-/// Edge of the leaves of the deepest level that has any.
-fn smallest_edge(octree: &Octree<'_>, leaves_by_level: &[u32]) -> f32 {
-    let deepest = leaves_by_level.iter().rposition(|&leaves| leaves > 0).unwrap_or(0);
-    octree.edge(deepest as u8)
+impl PolynomialOctreeReport {
+    fn of(octree: &PolynomialOctree<'_>) -> Self {
+        let leaves_by_level = by_level(octree.depth(), octree.leaves());
+        Self {
+            root_cells: octree.root_cells(),
+            root_edge: octree.edge(0),
+            depth: octree.depth(),
+            continuity: name_of(octree.continuity()),
+            overlap: octree.overlap(),
+            quantum: octree.quantum(),
+            leaves: octree.leaf_count(),
+            smallest_edge: octree.edge(deepest(&leaves_by_level)),
+            leaves_by_level,
+        }
+    }
+}
+
+fn name_of(continuity: Continuity) -> &'static str {
+    match continuity {
+        Continuity::None => "none",
+        Continuity::C0 => "c0",
+        Continuity::C1 => "c1",
+        _ => "unknown",
+    }
+}
+
+fn by_level(depth: u8, leaves: impl Iterator<Item = Leaf>) -> Vec<u32> {
+    let mut by_level = vec![0; usize::from(depth) + 1];
+    for leaf in leaves {
+        by_level[usize::from(leaf.level)] += 1;
+    }
+    by_level
+}
+
+/// The deepest level that has leaves.
+fn deepest(leaves_by_level: &[u32]) -> u8 {
+    leaves_by_level.iter().rposition(|&leaves| leaves > 0).unwrap_or(0) as u8
 }
 
 impl GridReport {

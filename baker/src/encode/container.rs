@@ -113,6 +113,12 @@ pub fn write_contract(bytes: &mut [u8], contract: &ErrorContract) {
     seal(bytes);
 }
 
+/// Writes the Lipschitz bound into the header of a file, rounded up.
+pub fn write_lipschitz(bytes: &mut [u8], lipschitz: f64) {
+    put(bytes, header::LIPSCHITZ, &(lipschitz as f32).next_up().to_le_bytes());
+    seal(bytes);
+}
+
 /// Writes the checksum of header and section table.
 fn seal(bytes: &mut [u8]) {
     put(bytes, header::CHECKSUM, &[0; 4]);

@@ -192,6 +192,9 @@ fn cell_of(field: &Field<'_>, point: [f32; 3]) -> Cell {
     if let Some(octree) = field.octree() {
         return Cell::Leaf(octree.leaf_at(place([octree.edge(octree.depth()); 3])));
     }
+    if let Some(octree) = field.polynomial_octree() {
+        return Cell::Leaf(octree.leaf_at(place([octree.edge(octree.depth()); 3])));
+    }
     Cell::Grid(field.grid().map_or([0; 3], |grid| place(grid.spacing())))
 }
 

@@ -2,5 +2,6 @@
 
 pub mod codes;
 pub mod grid;
+pub mod piece;
 pub mod rounding;
 pub mod sample;

@@ -1,5 +1,6 @@
 //! A field function to polynomials around points: the samples of a grid.
 
+pub mod cell;
 mod least_squares;
 
 use crate::field_function::{FieldFunction, Sample};

@@ -80,6 +80,7 @@ mod tests {
         let truth = vec![Sample { distance: 0.0, gradient: DVec3::X }; answers.len()];
         let errors = ErrorDistribution::of(&answers, &truth);
         Measurement {
+            steepest: 1.0,
             uniform: errors.clone(),
             band: errors,
             seams: SeamStatistics { max: 0.5, ..SeamStatistics::default() },

@@ -38,6 +38,8 @@ pub struct Measurement {
     pub seams: SeamStatistics,
     /// Points asked for, uniform and again in the band.
     pub samples: u32,
+    /// Length of the longest gradient met at any of the points and on either side of the faces.
+    pub steepest: f64,
     /// Points, of both sets, whose true sign is a guess.
     pub doubtful_signs: usize,
     /// The first of these, mesh frame.
@@ -86,7 +88,9 @@ fn measure_at(
     // Uniform in the box.
     let points = points::uniform(bounds, samples as usize, seed);
     let exact = sample(truth, &points);
-    let uniform = ErrorDistribution::of(&answers(field, &points), &exact);
+    let found = answers(field, &points);
+    let uniform = ErrorDistribution::of(&found, &exact);
+    let mut steepest = steepest_of(&found);
     let mut doubtful = find_doubtful(truth, &points);
 
     // In the band.
@@ -94,15 +98,18 @@ fn measure_at(
     let domain = field_box(field);
     points.retain(|&point| contains(&domain, points::to_dvec3(point)));
     let exact = sample(truth, &points);
-    let band = ErrorDistribution::of(&answers(field, &points), &exact);
+    let found = answers(field, &points);
+    let band = ErrorDistribution::of(&found, &exact);
+    steepest = steepest.max(steepest_of(&found));
     doubtful.extend(find_doubtful(truth, &points));
 
     // Across the faces.
     let seams = seams::measure(field, seed);
+    steepest = steepest.max(seams.steepest);
 
     let doubtful_signs = doubtful.len();
     doubtful.truncate(PLACES);
-    Measurement { uniform, band, seams, samples, doubtful_signs, doubtful_places: doubtful }
+    Measurement { uniform, band, seams, samples, steepest, doubtful_signs, doubtful_places: doubtful }
 }
 
 impl Measurement {
@@ -130,6 +137,11 @@ fn sample(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> Vec<Sample> {
 
 fn answers(field: &Field<'_>, points: &[[f32; 3]]) -> Vec<(f32, [f32; 3])> {
     points.par_iter().map(|&point| field.distance_and_gradient(point)).collect()
+}
+
+/// Length of the longest gradient.
+fn steepest_of(answers: &[(f32, [f32; 3])]) -> f64 {
+    answers.par_iter().map(|(_, gradient)| points::to_dvec3(*gradient).length()).reduce(|| 0.0, f64::max)
 }
 
 fn find_doubtful(truth: &dyn FieldFunction, points: &[[f32; 3]]) -> Vec<[f32; 3]> {

@@ -1,7 +1,7 @@
 //! How far a field jumps across the faces between its leaves.
 
 use crate::random::Draws;
-use nearfield::{Field, Grid, Leaf, Octree, Reconstruction};
+use nearfield::{Field, Grid, Leaf, Octree, PolynomialOctree, Reconstruction};
 use rayon::prelude::*;
 
 const STREAM: u64 = 3;
@@ -28,6 +28,8 @@ pub struct SeamStatistics {
     pub gradient_max: f64,
     /// Root mean square length of the difference of the gradients.
     pub gradient_rms: f64,
+    /// Length of the longest gradient.
+    pub steepest: f64,
 }
 
 /// Asks both sides of every face between leaves at random points.
@@ -35,10 +37,73 @@ pub struct SeamStatistics {
 /// A face between leaves of different sizes is visited from the smaller one; a face between equals
 /// from the one on its low side. So every face counts once.
 pub(super) fn measure(field: &Field<'_>, seed: u64) -> SeamStatistics {
-    match (field.octree(), field.grid()) {
-        (Some(octree), _) => of_octree(&octree, seed),
-        (None, Some(grid)) => of_grid(&grid, seed),
-        (None, None) => SeamStatistics::default(),
+    match (field.octree(), field.polynomial_octree(), field.grid()) {
+        (Some(octree), _, _) => of_tree(&Tree::Interpolants(&octree), seed),
+        (_, Some(octree), _) => of_tree(&Tree::Polynomials(&octree, field), seed),
+        (_, _, Some(grid)) => of_grid(&grid, seed),
+        (None, None, None) => SeamStatistics::default(),
+    }
+}
+
+/// What has leaves.
+enum Tree<'a> {
+    Interpolants(&'a Octree<'a>),
+    Polynomials(&'a PolynomialOctree<'a>, &'a Field<'a>),
+}
+
+type Answer = (f32, [f32; 3]);
+
+impl Tree<'_> {
+    fn leaf_count(&self) -> u32 {
+        match self {
+            Self::Interpolants(octree) => octree.leaf_count(),
+            Self::Polynomials(octree, _) => octree.leaf_count(),
+        }
+    }
+
+    fn lattice(&self) -> [u32; 3] {
+        match self {
+            Self::Interpolants(octree) => octree.lattice(),
+            Self::Polynomials(octree, _) => octree.lattice(),
+        }
+    }
+
+    fn leaf_at(&self, cell: [u32; 3]) -> Leaf {
+        match self {
+            Self::Interpolants(octree) => octree.leaf_at(cell),
+            Self::Polynomials(octree, _) => octree.leaf_at(cell),
+        }
+    }
+
+    /// Every n-th leaf, with its place in the file's order.
+    fn every(&self, stride: usize) -> Vec<(usize, Leaf)> {
+        match self {
+            Self::Interpolants(octree) => octree.leaves().enumerate().step_by(stride).collect(),
+            Self::Polynomials(octree, _) => octree.leaves().enumerate().step_by(stride).collect(),
+        }
+    }
+
+    /// What holds on either side of a face between two leaves, at a point of both closures, local to each.
+    ///
+    /// Leaves that overlap have no sides of their own: there the whole field is asked, on the nearest numbers
+    /// before and behind the face.
+    fn sides(&self, leaf: &Leaf, here: [f32; 3], neighbour: &Leaf, there: [f32; 3], axis: usize) -> [Answer; 2] {
+        match self {
+            Self::Interpolants(octree) => [octree.evaluate(leaf, here), octree.evaluate(neighbour, there)],
+            Self::Polynomials(octree, _) if octree.overlap() == 0.0 => {
+                [octree.evaluate(leaf, here), octree.evaluate(neighbour, there)]
+            }
+            Self::Polynomials(octree, field) => {
+                let (spacing, low) = (f64::from(octree.edge(octree.depth())), octree.bounds().min);
+                let point: [f32; 3] = std::array::from_fn(|axis| {
+                    let place = f64::from(leaf.cell[axis]) + f64::from(here[axis]) * f64::from(leaf.edge);
+                    (f64::from(low[axis]) + place * spacing) as f32
+                });
+                let (mut before, mut behind) = (point, point);
+                (before[axis], behind[axis]) = (point[axis].next_down(), point[axis].next_up());
+                [field.distance_and_gradient(before), field.distance_and_gradient(behind)]
+            }
+        }
     }
 }
 
@@ -83,9 +148,9 @@ fn of_grid(grid: &Grid<'_>, seed: u64) -> SeamStatistics {
     chunks.into_iter().fold(Sums::default(), Sums::plus).statistics()
 }
 
-fn of_octree(octree: &Octree<'_>, seed: u64) -> SeamStatistics {
-    let stride = (octree.leaf_count() as usize).div_ceil(MAX_LEAVES).max(1);
-    let leaves: Vec<(usize, Leaf)> = octree.leaves().enumerate().step_by(stride).collect();
+fn of_tree(tree: &Tree<'_>, seed: u64) -> SeamStatistics {
+    let stride = (tree.leaf_count() as usize).div_ceil(MAX_LEAVES).max(1);
+    let leaves = tree.every(stride);
 
     // Sums of fixed chunks, added in order: the figures do not depend on threads.
     let chunks: Vec<Sums> = leaves
@@ -95,7 +160,7 @@ fn of_octree(octree: &Octree<'_>, seed: u64) -> SeamStatistics {
             for (index, leaf) in chunk {
                 let mut draws = Draws::new(seed, STREAM, *index as u64);
                 for face in FACES {
-                    across(octree, leaf, face, &mut draws, &mut sums);
+                    across(tree, leaf, face, &mut draws, &mut sums);
                 }
             }
             sums
@@ -122,8 +187,8 @@ const FACES: [Face; 6] = [
 ];
 
 /// Adds the jumps across one face of a leaf, if it is this leaf's turn to measure it.
-fn across(octree: &Octree<'_>, leaf: &Leaf, face: Face, draws: &mut Draws, sums: &mut Sums) {
-    let Some(neighbour) = neighbour(octree, leaf, face) else {
+fn across(tree: &Tree<'_>, leaf: &Leaf, face: Face, draws: &mut Draws, sums: &mut Sums) {
+    let Some(neighbour) = neighbour(tree, leaf, face) else {
         return;
     };
     let measured_from_here = neighbour.level < leaf.level || (neighbour.level == leaf.level && face.high);
@@ -140,15 +205,16 @@ fn across(octree: &Octree<'_>, leaf: &Leaf, face: Face, draws: &mut Draws, sums:
             ((offset + f64::from(here[axis]) * f64::from(leaf.edge)) / f64::from(neighbour.edge)) as f32
         });
 
-        sums.add(octree.evaluate(leaf, here), octree.evaluate(&neighbour, there));
+        let [here, there] = tree.sides(leaf, here, &neighbour, there, face.axis);
+        sums.add(here, there);
     }
 }
 
 /// The leaf on the other side, at the low corner of the face; none at the border of the box.
-fn neighbour(octree: &Octree<'_>, leaf: &Leaf, face: Face) -> Option<Leaf> {
+fn neighbour(tree: &Tree<'_>, leaf: &Leaf, face: Face) -> Option<Leaf> {
     let mut cell = leaf.cell;
     cell[face.axis] = if face.high { cell[face.axis] + leaf.edge } else { cell[face.axis].checked_sub(1)? };
-    (cell[face.axis] < octree.lattice()[face.axis]).then(|| octree.leaf_at(cell))
+    (cell[face.axis] < tree.lattice()[face.axis]).then(|| tree.leaf_at(cell))
 }
 
 #[derive(Clone, Copy, Default)]
@@ -158,6 +224,7 @@ struct Sums {
     squares: f64,
     gradient_max: f64,
     gradient_squares: f64,
+    steepest: f64,
 }
 
 impl Sums {
@@ -174,6 +241,7 @@ impl Sums {
             squares: jump * jump,
             gradient_max: gradient_square.sqrt(),
             gradient_squares: gradient_square,
+            steepest: length(gradient_here).max(length(gradient_there)),
         });
     }
 
@@ -184,6 +252,7 @@ impl Sums {
             squares: self.squares + other.squares,
             gradient_max: self.gradient_max.max(other.gradient_max),
             gradient_squares: self.gradient_squares + other.gradient_squares,
+            steepest: self.steepest.max(other.steepest),
         }
     }
 
@@ -195,6 +264,11 @@ impl Sums {
             rms: root_mean(self.squares),
             gradient_max: self.gradient_max,
             gradient_rms: root_mean(self.gradient_squares),
+            steepest: self.steepest,
         }
     }
+}
+
+fn length(gradient: [f32; 3]) -> f64 {
+    gradient.into_iter().map(f64::from).map(|part| part * part).sum::<f64>().sqrt()
 }

@@ -1,0 +1,137 @@
+//! How far leaves reach into one another, and what the field is where they do (partition of unity, after
+//! Ohtake et al. 2003).
+
+use super::cells::{Cell, Cells, Content};
+use crate::quantize::piece::Steps;
+use crate::sampling::cell::Piece;
+use glam::{DVec3, UVec3};
+use nearfield::layout::leaf::{MAX_REACH, MAX_SUPPORT};
+use rayon::prelude::*;
+
+/// The codes of a leaf that a query would else have to find out from its neighbours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reach {
+    /// The leaf reaches overlap · edge · 2^-support beyond its cell.
+    pub support: u8,
+    /// No leaf reaches deeper than overlap · edge · 2^(1 - reach) into this one, if it is not 0.
+    pub reach: u8,
+}
+
+/// The codes of every leaf, by its place among the cells; those of inner cells mean nothing.
+pub fn reaches(cells: &Cells) -> Vec<Reach> {
+    let supports: Vec<u8> = (0..cells.all.len())
+        .into_par_iter()
+        .map(|place| {
+            let level = cells.all[place].level;
+            if matches!(cells.all[place].content, Content::Inner(_)) {
+                return 0;
+            }
+            let mut deepest = level;
+            cells.visit_touching(place, |_, other| deepest = deepest.max(other.level));
+            (deepest - level).min(MAX_SUPPORT as u8)
+        })
+        .collect();
+    (0..cells.all.len())
+        .into_par_iter()
+        .map(|place| {
+            if matches!(cells.all[place].content, Content::Inner(_)) {
+                return Reach::default();
+            }
+            // A leaf of level l and support s reaches as far as one of level l + s would reach with none.
+            let level = i32::from(cells.all[place].level);
+            let mut farthest = i32::MAX;
+            cells.visit_touching(place, |other, cell| {
+                farthest = farthest.min(i32::from(cell.level) + i32::from(supports[other]));
+            });
+            let reach = farthest.saturating_sub(level).saturating_add(1).clamp(0, MAX_REACH as i32);
+            Reach { support: supports[place], reach: reach as u8 }
+        })
+        .collect()
+}
+
+/// The leaves of a field, decoded, for answers in `f64` that take no short cut.
+pub struct Blend<'a> {
+    cells: &'a Cells,
+    reaches: &'a [Reach],
+    overlap: f64,
+    pieces: Vec<Option<Piece>>,
+}
+
+impl<'a> Blend<'a> {
+    /// Decodes all leaves.
+    pub fn new(cells: &'a Cells, reaches: &'a [Reach], overlap: f64, steps: &Steps) -> Self {
+        let mut pieces = vec![None; cells.all.len()];
+        for (place, _, coded) in cells.leaves() {
+            pieces[place] = Some(steps.decode(coded));
+        }
+        Self { cells, reaches, overlap, pieces }
+    }
+
+    /// Value and gradient at a point of the domain, mesh units.
+    pub fn evaluate(&self, point: DVec3) -> (f64, DVec3) {
+        let domain = &self.cells.domain;
+        let place = (point - domain.origin) / domain.edge(domain.depth);
+        let last = domain.lattice_size() - UVec3::ONE;
+        let here = place.max(DVec3::ZERO).as_uvec3().min(last);
+        if self.overlap == 0.0 {
+            let mut answer = (0.0, DVec3::ZERO);
+            self.cells.visit_leaves_in(here, here + UVec3::ONE, |index, cell| {
+                let far = cell.origin + domain.lattice_edge(cell.level);
+                if cell.origin.cmple(here).all() && here.cmplt(far).all() {
+                    answer = self.leaf(index, cell, point);
+                }
+            });
+            return answer;
+        }
+
+        // Only leaves that touch the one that holds the point can reach it.
+        let mut holder = (UVec3::ZERO, UVec3::ZERO);
+        self.cells.visit_leaves_in(here, here + UVec3::ONE, |_, cell| {
+            let far = cell.origin + domain.lattice_edge(cell.level);
+            if cell.origin.cmple(here).all() && here.cmplt(far).all() {
+                holder = (cell.origin, far);
+            }
+        });
+        let (mut sum, mut sum_gradient) = (0.0, DVec3::ZERO);
+        let (mut weights, mut weights_gradient) = (0.0, DVec3::ZERO);
+        self.cells.visit_leaves_in(holder.0, holder.1, |index, cell| {
+            let (weight, weight_gradient) = self.weight(index, cell, point);
+            if weight > 0.0 {
+                let (value, gradient) = self.leaf(index, cell, point);
+                sum += weight * value;
+                sum_gradient += weight * gradient + value * weight_gradient;
+                weights += weight;
+                weights_gradient += weight_gradient;
+            }
+        });
+        let value = sum / weights;
+        (value, (sum_gradient - value * weights_gradient) / weights)
+    }
+
+    fn leaf(&self, index: usize, cell: &Cell, point: DVec3) -> (f64, DVec3) {
+        let half = 0.5 * self.cells.domain.edge(cell.level);
+        let local = (point - self.cells.domain.point(cell.origin)) / half - 1.0;
+        let (value, gradient) = self.pieces[index].expect("a leaf has a piece").evaluate(local);
+        (value, gradient / half)
+    }
+
+    /// Product of smooth steps over the distance inside along each axis.
+    fn weight(&self, index: usize, cell: &Cell, point: DVec3) -> (f64, DVec3) {
+        let edge = self.cells.domain.edge(cell.level);
+        let delta = self.overlap * edge / f64::from(1u32 << self.reaches[index].support);
+        let centre = self.cells.domain.point(cell.origin) + 0.5 * edge;
+        let (mut steps, mut slopes) = ([0.0; 3], [0.0; 3]);
+        for axis in 0..3 {
+            let offset = point[axis] - centre[axis];
+            let t = (0.5 + (0.5 * edge - offset.abs()) / (2.0 * delta)).clamp(0.0, 1.0);
+            steps[axis] = t * t * (3.0 - 2.0 * t);
+            slopes[axis] = -offset.signum() * 6.0 * t * (1.0 - t) / (2.0 * delta);
+        }
+        let gradient = DVec3::new(
+            slopes[0] * steps[1] * steps[2],
+            steps[0] * slopes[1] * steps[2],
+            steps[0] * steps[1] * slopes[2],
+        );
+        (steps[0] * steps[1] * steps[2], gradient)
+    }
+}

@@ -1,0 +1,139 @@
+//! Cells to leaves that are good enough, level by level.
+
+use super::cells::{Cell, Cells, Content, octant};
+use super::choose::{self, Tolerance};
+use crate::field_function::{FieldFunction, Sample};
+use crate::octree::domain::Domain;
+use crate::progress::Progress;
+use crate::quantize::piece::{Coded, Steps};
+use crate::sampling::cell::{POINTS, Stencil};
+use glam::{DVec3, UVec3};
+use nearfield::layout::leaf::MAX_LEVELS_APART;
+use rayon::prelude::*;
+
+/// Cells whose samples are held at once.
+const BATCH: usize = 1 << 11;
+
+/// What leaves must achieve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Demand {
+    /// Tolerance at the surface.
+    pub(super) near: Tolerance,
+    /// Farther from the surface than this, tolerances grow with the distance; mesh units.
+    pub(super) constant_within: f64,
+}
+
+impl Demand {
+    /// The tolerance for a cell with these samples.
+    fn of(&self, samples: &[Sample]) -> Tolerance {
+        let nearest = samples.iter().map(|sample| sample.distance.abs()).fold(f64::INFINITY, f64::min);
+        let growth = (nearest / self.constant_within).max(1.0);
+        Tolerance { rmse: growth * self.near.rmse, max: growth * self.near.max }
+    }
+}
+
+/// Builds the cells of a function.
+pub(super) struct Refinement<'a> {
+    pub(super) function: &'a dyn FieldFunction,
+    pub(super) stencil: Stencil,
+    pub(super) steps: Steps,
+    pub(super) demand: Demand,
+    /// Whether leaves that touch may not be too many levels apart.
+    pub(super) graded: bool,
+    pub(super) progress: &'a dyn Progress,
+    /// Points sampled so far.
+    pub(super) samples: usize,
+}
+
+impl Refinement<'_> {
+    /// Splits cells until each leaf is good enough or the depth ends.
+    pub(super) fn refine(&mut self, domain: Domain) -> Cells {
+        let edge = domain.lattice_edge(0);
+        let UVec3 { x: nx, y: ny, z: nz } = domain.root_cells;
+        let origins = (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| edge * UVec3::new(x, y, z))));
+        let mut cells = Cells { domain, all: Vec::new() };
+        self.append(&mut cells, origins.collect(), 0);
+
+        for level in 1..=domain.depth {
+            self.split_failed(&mut cells, level);
+        }
+        if self.graded {
+            while self.split_leaves_beside_fine_ones(&mut cells) {}
+        }
+        cells
+    }
+
+    /// Splits the cells of the level above that have found no leaf.
+    fn split_failed(&mut self, cells: &mut Cells, level: u8) {
+        let failed: Vec<usize> = (0..cells.all.len())
+            .filter(|&place| {
+                cells.all[place].level + 1 == level && matches!(cells.all[place].content, Content::Inner(_))
+            })
+            .filter(|&place| matches!(cells.all[place].content, Content::Inner(u32::MAX)))
+            .collect();
+        self.split(cells, &failed, level);
+    }
+
+    /// Gives cells of one level their children.
+    fn split(&mut self, cells: &mut Cells, parents: &[usize], level: u8) {
+        let half = cells.domain.lattice_edge(level);
+        let mut origins = Vec::with_capacity(8 * parents.len());
+        for &place in parents {
+            let first = cells.all.len() + origins.len();
+            cells.all[place].content = Content::Inner(u32::try_from(first).expect("fewer than 2^32 cells"));
+            origins.extend((0..8).map(|child| cells.all[place].origin + half * octant(child)));
+        }
+        self.append(cells, origins, level);
+    }
+
+    /// Appends cells of one level, those that are not good enough as inner ones that still lack children.
+    fn append(&mut self, cells: &mut Cells, origins: Vec<UVec3>, level: u8) {
+        let domain = cells.domain;
+        let edge = domain.edge(level);
+        for batch in origins.chunks(BATCH) {
+            let centre = |origin: UVec3| domain.point(origin) + 0.5 * edge;
+            let points: Vec<DVec3> =
+                batch.iter().flat_map(|&origin| self.stencil.points_of(centre(origin), edge)).collect();
+            let samples = self.function.sample_all(&points);
+            self.samples += points.len();
+            self.progress.advance(points.len() as u64);
+
+            let is_last = level == domain.depth;
+            let found: Vec<Option<Coded>> =
+                samples.par_chunks(POINTS).map(|samples| self.leaf(samples, edge, is_last)).collect();
+            cells.all.extend(batch.iter().zip(found).map(|(&origin, leaf)| Cell {
+                origin,
+                level,
+                content: leaf.map_or(Content::Inner(u32::MAX), |coded| Content::Leaf(Box::new(coded))),
+            }));
+        }
+    }
+
+    fn leaf(&self, samples: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
+        let tolerance = self.demand.of(samples);
+        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, edge, tolerance);
+        cheapest.or_else(|| is_last.then(|| choose::best(&self.stencil, &self.steps, samples, tolerance)))
+    }
+
+    /// Splits leaves that touch one too many levels below them; whether there were any.
+    fn split_leaves_beside_fine_ones(&mut self, cells: &mut Cells) -> bool {
+        let too_coarse: Vec<usize> = cells
+            .leaves()
+            .filter(|(place, cell, _)| {
+                let mut deepest = 0;
+                cells.visit_touching(*place, |_, other| deepest = deepest.max(other.level));
+                u32::from(deepest.saturating_sub(cell.level)) > MAX_LEVELS_APART
+            })
+            .map(|(place, _, _)| place)
+            .collect();
+        for &place in &too_coarse {
+            let level = cells.all[place].level + 1;
+            self.split(cells, &[place], level);
+        }
+        // What was split by force may have children that are not good enough, though rarely.
+        for level in 1..=cells.domain.depth {
+            self.split_failed(cells, level);
+        }
+        !too_coarse.is_empty()
+    }
+}

@@ -1,0 +1,80 @@
+//! Least squares by the normal equations of a few terms.
+
+use super::basis::{MEAN_SQUARE, TERMS, TERMS_UP_TO};
+use super::stencil::POINTS;
+
+/// Products of two terms, those of the first i terms before those of term i.
+pub(super) const PAIRS: usize = TERMS * (TERMS + 1) / 2;
+
+/// What is added to each diagonal entry, as a share of what all samples of a cell would add: only keeps sets of
+/// samples that do not decide a coefficient solvable. More of it costs bytes (1e-4: 10 %).
+const RIDGE: f64 = 1e-7;
+
+/// Sums over samples from which fits of any degree follow. Differences of sums are sums of differences.
+#[derive(Clone)]
+pub(super) struct NormalEquations {
+    /// Sum of the products of terms, lower triangle by rows.
+    pub(super) products: [f64; PAIRS],
+    /// Sum of each term times the sample.
+    pub(super) right: [f64; TERMS],
+}
+
+impl NormalEquations {
+    pub(super) const ZERO: Self = Self { products: [0.0; PAIRS], right: [0.0; TERMS] };
+
+    /// Adds a sample.
+    pub(super) fn add(&mut self, degree: u8, products: &[f64; PAIRS], terms: &[f64; TERMS], value: f64) {
+        let terms_used = TERMS_UP_TO[usize::from(degree)];
+        let pairs_used = terms_used * (terms_used + 1) / 2;
+        for (sum, product) in self.products[..pairs_used].iter_mut().zip(products) {
+            *sum += product;
+        }
+        for (sum, term) in self.right[..terms_used].iter_mut().zip(terms) {
+            *sum += term * value;
+        }
+    }
+
+    /// What is left of a larger set without these samples.
+    pub(super) fn without(&self, part: &Self) -> Self {
+        let mut rest = self.clone();
+        for (rest, part) in rest.products.iter_mut().zip(&part.products) {
+            *rest -= part;
+        }
+        for (rest, part) in rest.right.iter_mut().zip(&part.right) {
+            *rest -= part;
+        }
+        rest
+    }
+
+    /// The coefficients of the best polynomial of a degree, the others zero.
+    pub(super) fn solve(&self, degree: u8) -> [f64; TERMS] {
+        let size = TERMS_UP_TO[usize::from(degree)];
+
+        // The lower triangular L of L Lᵀ = products.
+        let mut factor = [[0.0; TERMS]; TERMS];
+        for i in 0..size {
+            let row = i * (i + 1) / 2;
+            for j in 0..=i {
+                let known: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
+                let rest = self.products[row + j] - known;
+                factor[i][j] = if i == j {
+                    (rest + RIDGE * POINTS as f64 * MEAN_SQUARE[i]).max(f64::MIN_POSITIVE).sqrt()
+                } else {
+                    rest / factor[j][j]
+                };
+            }
+        }
+
+        // L y = right, Lᵀ x = y.
+        let mut x = [0.0; TERMS];
+        for i in 0..size {
+            let known: f64 = (0..i).map(|k| factor[i][k] * x[k]).sum();
+            x[i] = (self.right[i] - known) / factor[i][i];
+        }
+        for i in (0..size).rev() {
+            let known: f64 = (i + 1..size).map(|k| factor[k][i] * x[k]).sum();
+            x[i] = (x[i] - known) / factor[i][i];
+        }
+        x
+    }
+}
