@@ -46,7 +46,7 @@ fn the_example_draws_what_the_command_line_draws() {
         let sum: u32 =
             covered.iter().flat_map(|(a, b)| [0, 1, 2].map(|channel| u32::from(a[channel].abs_diff(b[channel])))).sum();
         let difference = f64::from(sum) / (3 * covered.len()) as f64;
-        println!("{name}: mean absolute difference {difference:.3} of 255 over {} pixels", covered.len());
+        println!("{name}: mean absolute difference {difference:.4} of 255 over {} pixels", covered.len());
         assert!(covered.len() > 5_000, "{name}: only {} pixels", covered.len());
         assert!(difference <= 3.0, "{name}: {difference}");
     }
