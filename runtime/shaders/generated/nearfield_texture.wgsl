@@ -22,7 +22,7 @@ fn word(index: u32) -> u32 {
 //     let answer = nearfield_evaluate(field, point);     as often as needed
 //
 // The file must have been checked before (`Field::open` and `Field::validate`, or a trusted source): a shader can neither
-// sum a file nor refuse it. No file makes it loop without end.
+// sum a file nor refuse it. Every loop ends, but a file that breaks the rules may make one long.
 
 // What a query needs to know of a file.
 struct Field {
@@ -903,7 +903,7 @@ fn next_leaf(field: Field, region: ptr<function, Region>, own: u32) -> Leaf {
             let first = (*region).low >> vec3(field.depth);
             let last = (*region).high >> vec3(field.depth);
             if root.z > last.z {
-                return Leaf(own, vec3(0u), 0u);
+                break;
             }
             let is_last_x = root.x == last.x;
             let is_last_y = is_last_x && root.y == last.y;

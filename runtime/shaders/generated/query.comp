@@ -1614,7 +1614,7 @@ Leaf next_leaf(Field field_18, inout Region region_1, uint own_1) {
             uvec3 _e92 = region_1.high;
             uvec3 last_1 = (_e92 >> uvec3(field_18.depth));
             if ((root_1.z > last_1.z)) {
-                return Leaf(own_1, uvec3(0u), 0u);
+                break;
             }
             bool is_last_x = (root_1.x == last_1.x);
             if (is_last_x) {
@@ -1625,46 +1625,46 @@ Leaf next_leaf(Field field_18, inout Region region_1, uint own_1) {
             bool is_last_y = local_21;
             region_1.root = uvec3((is_last_x ? first_4.x : (root_1.x + 1u)), (is_last_y ? first_4.y : (is_last_x ? (root_1.y + 1u) : root_1.y)), (is_last_y ? (root_1.z + 1u) : root_1.z));
             cell_3 = (root_1 << uvec3(field_18.depth));
-            uvec3 _e136 = cell_3;
-            uint _e137 = root_of(field_18, _e136);
-            uint _e139 = word((field_18.nodes + _e137));
-            node_2 = _e139;
+            uvec3 _e132 = cell_3;
+            uint _e133 = root_of(field_18, _e132);
+            uint _e135 = word((field_18.nodes + _e133));
+            node_2 = _e135;
         }
-        uvec3 _e141 = cell_3;
-        region_1.cell = _e141;
-        uint _e142 = node_2;
-        if (((_e142 & ROOT_LEAF) == 0u)) {
-            uint _e149 = shift_3;
-            local_22 = (_e149 > 0u);
+        uvec3 _e137 = cell_3;
+        region_1.cell = _e137;
+        uint _e138 = node_2;
+        if (((_e138 & ROOT_LEAF) == 0u)) {
+            uint _e145 = shift_3;
+            local_22 = (_e145 > 0u);
         } else {
             local_22 = false;
         }
-        bool _e153 = local_22;
-        if (_e153) {
+        bool _e149 = local_22;
+        if (_e149) {
+            uint _e150 = shift_3;
+            shift_3 = (_e150 - 1u);
             uint _e154 = shift_3;
-            shift_3 = (_e154 - 1u);
-            uint _e158 = shift_3;
-            uint _e162 = node_2;
-            region_1.records[(_e158 & 15u)] = _e162;
-            uint _e164 = shift_3;
-            uvec3 _e168 = cell_3;
-            uint _e170 = shift_3;
-            uvec3 _e175 = region_1.low;
-            uvec3 _e177 = region_1.high;
-            uint _e178 = children_in((_e168 + uvec3((1u << _e170))), _e175, _e177);
-            region_1.pending[(_e164 & 15u)] = _e178;
-            uint _e180 = shift_3;
-            region_1.shift = _e180;
+            uint _e158 = node_2;
+            region_1.records[(_e154 & 15u)] = _e158;
+            uint _e160 = shift_3;
+            uvec3 _e164 = cell_3;
+            uint _e166 = shift_3;
+            uvec3 _e171 = region_1.low;
+            uvec3 _e173 = region_1.high;
+            uint _e174 = children_in((_e164 + uvec3((1u << _e166))), _e171, _e173);
+            region_1.pending[(_e160 & 15u)] = _e174;
+            uint _e176 = shift_3;
+            region_1.shift = _e176;
             continue;
         }
-        uint _e182 = shift_3;
-        region_1.shift = _e182;
-        uint _e183 = node_2;
-        uint place_4 = (_e183 & 2147483647u);
+        uint _e178 = shift_3;
+        region_1.shift = _e178;
+        uint _e179 = node_2;
+        uint place_4 = (_e179 & 2147483647u);
         if ((place_4 != own_1)) {
-            uvec3 _e187 = cell_3;
-            uint _e188 = shift_3;
-            return Leaf(place_4, _e187, _e188);
+            uvec3 _e183 = cell_3;
+            uint _e184 = shift_3;
+            return Leaf(place_4, _e183, _e184);
         }
     }
     return Leaf(own_1, uvec3(0u), 0u);

@@ -125,7 +125,7 @@ fn next_leaf(field: Field, region: ptr<function, Region>, own: u32) -> Leaf {
             let first = (*region).low >> vec3(field.depth);
             let last = (*region).high >> vec3(field.depth);
             if root.z > last.z {
-                return Leaf(own, vec3(0u), 0u);
+                break;
             }
             let is_last_x = root.x == last.x;
             let is_last_y = is_last_x && root.y == last.y;

@@ -4,7 +4,7 @@
 //     let answer = nearfield_evaluate(field, point);     as often as needed
 //
 // The file must have been checked before (`Field::open` and `Field::validate`, or a trusted source): a shader can neither
-// sum a file nor refuse it. No file makes it loop without end.
+// sum a file nor refuse it. Every loop ends, but a file that breaks the rules may make one long.
 
 // What a query needs to know of a file.
 struct Field {
