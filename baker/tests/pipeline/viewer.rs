@@ -69,6 +69,42 @@ fn a_page_holds_the_field_and_needs_nothing_else() {
 }
 
 #[test]
+fn the_page_takes_whole_fields_and_refuses_damaged_ones() {
+    // As much of the script as knows files, without a browser: every valid vector, then with a bit turned somewhere.
+    let vectors = concat!(env!("CARGO_MANIFEST_DIR"), "/../format-spec/vectors/valid/");
+    let script = concat!(
+        include_str!("../../src/picture/viewer/field.js"),
+        "const fs = require('node:fs');",
+        "const check = (bytes) => { try { readField(bytes); return true; } catch { return false; } };",
+        "const [folder] = process.argv.slice(1);",
+        "const names = fs.readdirSync(folder).filter((name) => name.endsWith('.nfd'));",
+        "const told = names.map((name) => {",
+        "  const bytes = new Uint8Array(fs.readFileSync(folder + name));",
+        "  const whole = check(bytes);",
+        "  const places = [0, 9, 13, 16, 25, 130, bytes.length >> 1, bytes.length - 1];",
+        "  const damaged = places.filter((at) => check(bytes.map((byte, place) => place === at ? byte ^ 4 : byte)));",
+        "  return { name, whole, damaged, cut: check(bytes.slice(0, -4)) };",
+        "});",
+        "console.log(JSON.stringify(told));",
+    );
+    let Ok(output) = Command::new("node").args(["-e", script, vectors]).output() else {
+        let ci = std::env::var("CI").is_ok_and(|value| value == "true");
+        assert!(!ci, "node is not installed");
+        eprintln!("SKIPPED: node is not installed");
+        return;
+    };
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let told = told.as_array().expect("a list");
+    assert!(told.len() > 100, "only {} vectors", told.len());
+    for vector in told {
+        assert_eq!(vector["whole"], true, "{vector}");
+        assert_eq!(vector["damaged"], serde_json::json!([]), "{vector}");
+        assert_eq!(vector["cut"], false, "{vector}");
+    }
+}
+
+#[test]
 fn a_browser_shows_what_render_draws() {
     let Some(playwright) = browser() else { return };
     let bench = Bench::new();
