@@ -1,7 +1,7 @@
 // What a file says of itself. Places and codes are those of format-spec/SPEC.md.
 
 const FAMILIES = { 1: "grid", 2: "octree", 3: "polynomial octree" };
-const SIGNS = ["not from a mesh", "pseudonormals", "winding numbers"];
+const SIGNS = ["not from a mesh", "pseudonormals", "winding numbers", "rays", "a sheet, no inside"];
 const HEADER = 128;
 
 // Reads the header of a field, after the checks that a shader cannot make. Throws a sentence.
