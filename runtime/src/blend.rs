@@ -113,7 +113,7 @@ impl PolynomialOctree<'_> {
 
         // The leaf beyond each near face, edge and corner: each set of axes but the empty one.
         let mut sums = self.sums_of(place, codes, local, own);
-        let weight = sums.weight;
+        let alone = (sums.weight, sums.weight_slope);
         let mut seen = [place.leaf; 8];
         let mut crossed = axes;
         while crossed != 0 {
@@ -133,7 +133,8 @@ impl PolynomialOctree<'_> {
             }
             crossed = (crossed - 1) & axes;
         }
-        if sums.weight == weight { own } else { sums.mean() }
+        // Near the end of a support the weight is lost in the sum while its slope is not.
+        if (sums.weight, sums.weight_slope) == alone { own } else { sums.mean() }
     }
 
     /// The same where leaves are so small that there may be more of them than directions.

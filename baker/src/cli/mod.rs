@@ -6,6 +6,7 @@ mod bake_report;
 mod batch;
 mod batch_report;
 mod bench;
+mod camera_arguments;
 mod diff;
 mod error_table;
 mod exit_code;
@@ -21,6 +22,7 @@ mod query;
 mod render;
 mod slice;
 mod verify;
+mod view;
 
 use clap::{Parser, Subcommand};
 use exit_code::Failure;
@@ -46,6 +48,7 @@ enum Command {
     Diff(diff::Diff),
     Slice(slice::SliceCommand),
     Render(render::RenderCommand),
+    View(view::ViewCommand),
     Mesh(mesh::MeshCommand),
     Bench(bench::Bench),
     Generate(generate::Generate),
@@ -65,6 +68,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Bench(command) => command.run(),
         Command::Diff(command) => command.run(),
         Command::Render(command) => command.run(),
+        Command::View(command) => command.run(),
         Command::Mesh(command) => command.run(),
         Command::Generate(command) => command.run(),
     };

@@ -1,13 +1,14 @@
 //! `nearfield render`: a view of a field's surface.
 
-use super::arguments::{Threads, method_of, positive};
+use super::arguments::{Threads, method_of};
+use super::camera_arguments::CameraArguments;
 use super::exit_code::Failure;
 use super::files;
 use super::progress_bar::TerminalProgress;
 use clap::{Args, ValueEnum};
 use nearfield_bake::distance::SignedDistance;
 use nearfield_bake::import::ReadOptions;
-use nearfield_bake::picture::{self, Camera, Image, Render, Shading, Surface, Up};
+use nearfield_bake::picture::{self, Image, Render, Shading, Surface};
 use std::path::{Path, PathBuf};
 
 /// Draw a view of a field's surface
@@ -34,21 +35,8 @@ pub(super) struct RenderCommand {
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "960x720")]
     size: [u32; 2],
 
-    /// Degrees that the camera has gone around the up axis
-    #[arg(long, value_name = "DEGREES", default_value_t = 35.0, allow_negative_numbers = true)]
-    azimuth: f64,
-
-    /// Degrees of the camera above the horizon
-    #[arg(long, value_name = "DEGREES", value_parser = elevation, default_value_t = 20.0, allow_negative_numbers = true)]
-    elevation: f64,
-
-    /// 1 shows the whole box, 2 half of it
-    #[arg(long, value_name = "Z", value_parser = positive, default_value_t = 1.5)]
-    zoom: f64,
-
-    /// Axis that points up
-    #[arg(long, value_enum, value_name = "AXIS", default_value_t = UpAxis::Y)]
-    up: UpAxis,
+    #[command(flatten)]
+    camera: CameraArguments,
 
     /// Draw the surface at this distance, in mesh units; negative is inside
     #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
@@ -87,12 +75,6 @@ pub(super) struct RenderCommand {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum UpAxis {
-    Y,
-    Z,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
 enum ShadingName {
     /// Clay under a lamp
     Shaded,
@@ -123,10 +105,10 @@ impl RenderCommand {
             };
 
             let Some(frames) = self.frames else {
-                return files::write_bytes(&self.output, &views(self.azimuth).to_png());
+                return files::write_bytes(&self.output, &views(self.camera.azimuth).to_png());
             };
             for frame in 0..frames {
-                let azimuth = self.azimuth + 360.0 * f64::from(frame) / f64::from(frames);
+                let azimuth = self.camera.azimuth + 360.0 * f64::from(frame) / f64::from(frames);
                 files::write_bytes(&numbered(&self.output, frame), &views(azimuth).to_png())?;
             }
             Ok(())
@@ -136,13 +118,9 @@ impl RenderCommand {
     }
 
     fn request(&self, azimuth: f64) -> Render {
-        let up = match self.up {
-            UpAxis::Y => Up::Y,
-            UpAxis::Z => Up::Z,
-        };
         Render {
             size: self.size,
-            camera: Camera { azimuth, elevation: self.elevation, zoom: self.zoom, up },
+            camera: self.camera.camera(azimuth),
             offset: self.offset,
             shading: match self.shading {
                 ShadingName::Shaded => Shading::Shaded { occlusion: !self.no_occlusion, shadow: !self.no_shadow },
@@ -171,13 +149,6 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     numbers
         .filter(|size: &[u32; 2]| size.iter().all(|side| (1..=8192).contains(side)))
         .ok_or_else(|| "it must be a width and a height of 1 to 8192, such as 1280x720".to_owned())
-}
-
-fn elevation(text: &str) -> Result<f64, String> {
-    text.parse()
-        .ok()
-        .filter(|degrees| (-90.0..=90.0).contains(degrees))
-        .ok_or_else(|| "it must be from -90 to 90".to_owned())
 }
 
 #[cfg(test)]

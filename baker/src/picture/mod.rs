@@ -6,9 +6,11 @@ mod image;
 mod isosurface;
 mod render;
 mod slice;
+mod viewer;
 
 pub use camera::{Camera, Up};
 pub use image::Image;
 pub use isosurface::{Isosurface, isosurface};
 pub use render::{Render, Shading, Surface, render};
 pub use slice::{Axis, Position, Slice, slice};
+pub use viewer::{Viewer, viewer_page};

@@ -10,3 +10,5 @@ mod faults;
 mod support;
 /// Reports, differences, pictures and what packages install.
 mod tools;
+/// Pages for browsers.
+mod viewer;
