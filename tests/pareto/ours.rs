@@ -43,7 +43,7 @@ pub(crate) fn families(subject: &Subject) -> Vec<Family> {
                 order,
                 reconstruction,
                 sampling: Sampling::Taylor,
-                range: RangeScope::File,
+                range: RangeScope::Brick,
             };
             // The box of the dense grids.
             let margin = BAND * subject.mesh.bounds.diagonal() / subject.mesh.bounds.size().max_element();
