@@ -88,7 +88,8 @@ fn introduction() -> String {
          Written by `cargo run --release -p conformance --bin pareto -- [MESHES] docs/measurements/pareto.md` on\n\
          22 November 2026; two cores of an AMD EPYC, x86-64, shared with other work.\n\n\
          Errors are relative to the diagonal, at {} points uniform in the mesh's box and as many of the band, the same\n\
-         points for every field. Times are thread CPU times of one distance, points of the box in random order.\n\n\
+         points for every field. Times are thread CPU times of one distance, points of the box in random order; the machine\n\
+         was busy, and they say little beyond their order of magnitude.\n\n\
          Dense grids are as plain as can be: samples of the exact distance over the mesh's box and the band around it,\n\
          as many as named along the longest side, no header, trilinear. 8 bits and BC4 are signed and normalized to the\n\
          farthest sample, or narrow: to {} % of the diagonal, clamped beyond, so that their uniform errors say little.\n\
