@@ -4,13 +4,15 @@ use nearfield::Field;
 use nearfield_bake::bake;
 use nearfield_bake::distance::{SignMethod, SignedDistance};
 use nearfield_bake::encode::{Provenance, encode_polynomial};
+use nearfield_bake::field_function::FieldFunction;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::polynomial::PolynomialOctree;
+use nearfield_bake::polynomial::cells::octant;
 use nearfield_bake::polynomial::overlap::Blend;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::random::Draws;
 use nearfield_bake::settings::{Continuity, Layout, PolynomialSettings, Profile, Settings, Target};
-use nearfield_bake::{BakeError, Baked};
+use nearfield_bake::{BakeError, Baked, bake_smallest};
 
 fn with_error(error: f64, polynomial: PolynomialSettings) -> Settings {
     Settings {
@@ -98,6 +100,50 @@ fn a_greatest_error_is_kept() {
     let measured = baked(&with_error(2e-3, settings)).report.measurement;
     let max = measured.uniform.max().max(measured.band.max());
     assert!(max <= 4e-3 * diagonal, "{:.2e}", max / diagonal);
+}
+
+#[test]
+fn leaves_keep_a_greatest_error_at_their_corners() {
+    let (mesh, asked) = (spot(), 2.5e-3);
+    let settings = PolynomialSettings { max_error: Some(Target::Relative(asked)), ..PolynomialSettings::default() };
+    let settings = Settings { continuity: Continuity::None, ..with_error(2e-3, settings) };
+    let Layout::Polynomial(polynomial) = &settings.layout else { unreachable!("as set above") };
+    let (diagonal, distance) = (mesh.bounds.diagonal(), SignedDistance::choose(&mesh, settings.sign).0);
+    let octree = PolynomialOctree::build(&distance, &mesh.bounds, &settings, polynomial, diagonal, &Silent);
+
+    let domain = octree.cells.domain;
+    let leaves = octree.cells.leaves().filter(|(_, cell, _)| cell.level < domain.depth);
+    let mut count = 0;
+    for (_, cell, coded) in leaves {
+        let piece = octree.steps.decode(coded);
+        for corner in (0..8).map(octant) {
+            let exact = distance.sample(domain.point(cell.origin + corner * domain.lattice_edge(cell.level))).distance;
+            let error = (piece.evaluate(2.0 * corner.as_dvec3() - 1.0).0 - exact).abs();
+            assert!(error <= asked * diagonal, "{:.2e} at a corner of {:?}", error / diagonal, cell.origin);
+        }
+        count += 1;
+    }
+    assert!(count > 100, "{count} leaves");
+}
+
+#[test]
+fn the_smallest_layout_is_no_larger_and_no_worse_than_the_octree() {
+    // So coarse that a grid wins, and as fine as not to let one.
+    let cases = [("bob_small.ply", 5e-2, Continuity::None, true), ("spot.ply", 4e-3, Continuity::C1, false)];
+    for (file, error, continuity, is_grid) in cases {
+        let mesh = shapes::read(file);
+        let settings = Settings { continuity, ..with_error(error, PolynomialSettings::default()) };
+        let octree = bake(&mesh, &settings, &Silent).expect("the mesh bakes");
+        let (smallest, chosen) = bake_smallest(&mesh, &settings, &Silent).expect("the mesh bakes");
+
+        assert_eq!(matches!(chosen.layout, Layout::Grid(_)), is_grid, "{file}");
+        assert_eq!(smallest.bytes.len() < octree.bytes.len(), is_grid, "{file}");
+        let (found, asked) = (&smallest.report.measurement, &octree.report.measurement);
+        for (found, asked) in [(&found.uniform, &asked.uniform), (&found.band, &asked.band)] {
+            assert!(found.rmse <= asked.rmse && found.max() <= asked.max(), "{file}");
+        }
+        assert!(bake(&mesh, &chosen, &Silent).expect("the mesh bakes").bytes == smallest.bytes, "{file}");
+    }
 }
 
 #[test]

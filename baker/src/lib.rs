@@ -24,6 +24,8 @@ pub mod random;
 pub mod report;
 pub mod sampling;
 pub mod settings;
+mod smallest;
 pub mod verify;
 
 pub use bake::{BakeError, Baked, bake, bake_function};
+pub use smallest::bake_smallest;

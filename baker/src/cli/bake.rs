@@ -11,10 +11,12 @@ use nearfield::layout::octree::MAX_DEPTH;
 use nearfield_bake::batch::Asset;
 use nearfield_bake::depfile;
 use nearfield_bake::import;
+use nearfield_bake::mesh::CheckedMesh;
+use nearfield_bake::progress::Progress;
 use nearfield_bake::report::Stopwatch;
 use nearfield_bake::settings::{self, Layout, PolynomialSettings, Settings, Target};
 use nearfield_bake::verify::Measurement;
-use nearfield_bake::{BakeError, bake};
+use nearfield_bake::{BakeError, Baked, bake, bake_smallest};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -174,12 +176,12 @@ impl Bake {
 
         // Mesh to field.
         let progress = TerminalProgress::new(self.quiet);
-        let (mesh, reading, baked) = self.threads.run(|| {
+        let (mesh, reading, (baked, settings)) = self.threads.run(|| {
             let mut stopwatch = Stopwatch::start(&progress);
             stopwatch.stage("read");
             let mesh = files::read_mesh(&self.mesh, &options)?;
             let reading = stopwatch.stop();
-            let baked = bake(&mesh, &settings, &progress).map_err(|error| bake_failure(&error, &self.mesh))?;
+            let baked = self.bake(&mesh, &settings, &progress)?;
             Ok((mesh, reading, baked))
         })?;
         progress.clear();
@@ -231,6 +233,21 @@ impl Bake {
             })
     }
 
+    /// The field, and the settings of what was chosen.
+    pub(super) fn bake(
+        &self,
+        mesh: &CheckedMesh,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<(Baked, Settings), Failure> {
+        let baked = if self.grid.is_auto() {
+            bake_smallest(mesh, settings, progress)
+        } else {
+            bake(mesh, settings, progress).map(|baked| (baked, *settings))
+        };
+        baked.map_err(|error| bake_failure(&error, &self.mesh))
+    }
+
     /// Refuses outputs that cannot be written, before work is spent on them.
     fn check_outputs(&self) -> Result<(), Failure> {
         let outputs: Vec<&PathBuf> =
@@ -271,7 +288,9 @@ impl Bake {
 
     /// Hash of everything in these arguments that decides the bytes of the field.
     pub(super) fn hash(&self) -> Result<[u8; 8], Failure> {
-        let settings = self.settings()?.hash();
+        let mut settings = self.settings()?.hash();
+        // The same settings, with more tried beside them.
+        settings[0] ^= u8::from(self.grid.is_auto());
         Ok(self.reading.read_options()?.hash_onto(settings))
     }
 
@@ -330,7 +349,7 @@ impl Bake {
     }
 }
 
-pub(super) fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
+fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
         BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),

@@ -1,12 +1,11 @@
 //! `nearfield batch`: every mesh of a manifest that has changed.
 
 use super::arguments::Threads;
-use super::bake::{Bake, bake_failure};
+use super::bake::Bake;
 use super::batch_report::{BatchReport, Outcome, Verdict, summary};
 use super::exit_code::Failure;
 use super::{bake_report, files, print, tell, to_json};
 use clap::Args;
-use nearfield_bake::bake;
 use nearfield_bake::batch::{Asset, Cache, Change, Inputs, Manifest, Shard, examine};
 use nearfield_bake::output;
 use nearfield_bake::progress::Silent;
@@ -202,7 +201,7 @@ impl Batch {
         if let Some(path) = inputs.disturbed() {
             return Err(Failure::Input(format!("{} changed while it was read; run the batch again", path.display())));
         }
-        let baked = bake(&mesh, &settings, &Silent).map_err(|error| bake_failure(&error, &asset.mesh))?;
+        let (baked, settings) = arguments.bake(&mesh, &settings, &Silent)?;
         arguments.check_doubt(&baked.report.measurement)?;
         files::write_bytes_if_changed(&asset.field, &baked.bytes)?;
         if let Err(error) = cache.keep(&inputs.key, &baked.bytes) {

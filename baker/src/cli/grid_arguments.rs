@@ -56,6 +56,8 @@ enum LayoutName {
     Octree,
     /// Samples at equal distances
     Grid,
+    /// An octree, or a grid that is smaller and measured to be no worse
+    Auto,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -89,9 +91,14 @@ enum Range {
 }
 
 impl GridArguments {
+    /// Whether grids are tried beside the octree.
+    pub(super) fn is_auto(&self) -> bool {
+        self.layout == LayoutName::Auto
+    }
+
     /// The layout that these arguments make.
     pub(super) fn layout(&self) -> Result<Layout, Failure> {
-        if self.layout == LayoutName::Octree {
+        if self.layout != LayoutName::Grid {
             return Ok(Layout::Octree);
         }
         let order = self.order;

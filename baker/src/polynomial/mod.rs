@@ -29,6 +29,9 @@ const LEAF_SHARE: f64 = 0.75;
 const LEAF_MAX: f64 = 6.0;
 /// Share of the greatest error asked for that a leaf may have at its samples, for the same reason.
 const LEAF_MAX_SHARE: f64 = 0.5;
+/// The same at the corners of its cell, where it is farthest from its samples and the error is greatest. They are
+/// looked at only where a greatest error is asked for.
+const CORNER_MAX_SHARE: f64 = 0.9;
 /// The finest step, as a share of a leaf's tolerance.
 const FINEST_STEP: f64 = 1.0 / 256.0;
 /// Finest steps that the diagonal of the domain may take, in bits: what a constant has, and the largest exponent less
@@ -72,8 +75,12 @@ impl PolynomialOctree {
             Continuity::C0 | Continuity::C1 => f64::from(polynomial.overlap as f32),
         };
         let rmse = LEAF_SHARE * settings.error.absolute(diagonal);
-        let asked = polynomial.max_error.map_or(f64::INFINITY, |max| LEAF_MAX_SHARE * max.absolute(diagonal));
-        let near = Tolerance { rmse, max: asked.min(LEAF_MAX * rmse) };
+        let asked = polynomial.max_error.map_or(f64::INFINITY, |max| max.absolute(diagonal));
+        let near = Tolerance {
+            rmse,
+            max: (LEAF_MAX_SHARE * asked).min(LEAF_MAX * rmse),
+            max_at_corners: CORNER_MAX_SHARE * asked,
+        };
         let constant_within = match polynomial.profile {
             Profile::Uniform => f64::INFINITY,
             Profile::Surface => NEAR * diagonal,

@@ -24,11 +24,17 @@ pub(super) struct Demand {
 }
 
 impl Demand {
+    /// How many corners of a cell are sampled: none if nothing is asked of them.
+    fn corners(&self) -> u32 {
+        if self.near.max_at_corners.is_finite() { 8 } else { 0 }
+    }
+
     /// The tolerance for a cell with these samples.
     fn of(&self, samples: &[Sample]) -> Tolerance {
         let nearest = samples.iter().map(|sample| sample.distance.abs()).fold(f64::INFINITY, f64::min);
         let growth = (nearest / self.constant_within).max(1.0);
-        Tolerance { rmse: growth * self.near.rmse, max: growth * self.near.max }
+        let Tolerance { rmse, max, max_at_corners } = self.near;
+        Tolerance { rmse: growth * rmse, max: growth * max, max_at_corners: growth * max_at_corners }
     }
 }
 
@@ -91,16 +97,25 @@ impl Refinement<'_> {
         let domain = cells.domain;
         let edge = domain.edge(level);
         for batch in origins.chunks(BATCH) {
-            let centre = |origin: UVec3| domain.point(origin) + 0.5 * edge;
-            let points: Vec<DVec3> =
-                batch.iter().flat_map(|&origin| self.stencil.points_of(centre(origin), edge)).collect();
+            let corners = self.demand.corners();
+            let points_of = |origin: UVec3| {
+                let least = domain.point(origin);
+                let corners = (0..corners).map(move |index| least + edge * octant(index).as_dvec3());
+                self.stencil.points_of(least + 0.5 * edge, edge).chain(corners)
+            };
+            let points: Vec<DVec3> = batch.iter().flat_map(|&origin| points_of(origin)).collect();
             let samples = self.function.sample_all(&points);
             self.samples += points.len();
             self.progress.advance(points.len() as u64);
 
             let is_last = level == domain.depth;
-            let found: Vec<Option<Coded>> =
-                samples.par_chunks(POINTS).map(|samples| self.leaf(samples, edge, is_last)).collect();
+            let of_cells = samples.par_chunks(POINTS + corners as usize);
+            let found: Vec<Option<Coded>> = of_cells
+                .map(|samples| {
+                    let (samples, corners) = samples.split_at(POINTS);
+                    self.leaf(samples, corners, edge, is_last)
+                })
+                .collect();
             cells.all.extend(batch.iter().zip(found).map(|(&origin, leaf)| Cell {
                 origin,
                 level,
@@ -109,9 +124,9 @@ impl Refinement<'_> {
         }
     }
 
-    fn leaf(&self, samples: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
+    fn leaf(&self, samples: &[Sample], corners: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
         let tolerance = self.demand.of(samples);
-        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, edge, tolerance);
+        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, corners, edge, tolerance);
         cheapest.or_else(|| is_last.then(|| choose::best(&self.stencil, &self.steps, samples, tolerance)))
     }
 
