@@ -29,7 +29,7 @@ pub(crate) struct Lattice {
     min: Position,
     max: Position,
     /// Finest cells along each axis, and 1: the last lane has a cell too, and that is 0.
-    extent: Position,
+    pub(crate) extent: Position,
     /// Finest cells per mesh unit.
     cells_per_unit: f32,
     pub(crate) root_cells: [u32; 3],

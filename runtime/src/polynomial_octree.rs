@@ -6,9 +6,8 @@ use crate::error::Error;
 use crate::header::Aabb;
 use crate::lattice::{Lattice, Leaf, Position, padded};
 use crate::layout::{continuity, leaf, limit, octree, polynomial as at, record, root_word, section, shape};
-use crate::legendre::Lanes;
 use crate::octree::Continuity;
-use crate::polynomial_leaf::{Bits, OverlapCodes, Polynomials};
+use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Polynomials, Question};
 use crate::section as sections;
 
 /// An octree whose leaves are polynomials, blended where they overlap.
@@ -249,10 +248,14 @@ impl<'a> PolynomialOctree<'a> {
     /// The value is in mesh units, the gradient without unit. A leaf answers beyond its cell too,
     /// by extrapolation; finite coordinates of a few cells give finite answers.
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
-        let mut polynomials = Polynomials::default();
-        Bits::at(self, leaf.place).decode(self, &mut polynomials);
-        let per_half = self.lattice.per_half(leaf.edge.trailing_zeros());
-        polynomials.evaluate(&padded(local.map(|part| 2.0 * part - 1.0)), per_half)
+        let question = Question {
+            local: padded(local.map(|part| 2.0 * part - 1.0)),
+            per_half: self.lattice.per_half(leaf.edge.trailing_zeros()),
+            with_gradient: true,
+        };
+        let mut answer = Answer::default();
+        Bits::at(self, leaf.place).evaluate(self, &question, &mut answer);
+        answer.split()
     }
 
     /// What the leaf that holds a point of the box answers alone, distance and gradient: faster than
@@ -262,66 +265,73 @@ impl<'a> PolynomialOctree<'a> {
         if !self.lattice.contains(point) {
             return None;
         }
-        let mut visit = Visit::default();
-        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
-        self.enter(&mut visit);
-        Some(self.answer_alone(&visit).1)
+        let (mut place, mut answer) = (Place::default(), Answer::default());
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
+        let bits = self.find(&mut place);
+        bits.evaluate(self, &self.question(&place.cell, place.shift, &place.position, true), &mut answer);
+        Some(answer.split())
     }
 
-    /// Value and gradient at a point of the box.
-    #[inline]
-    pub(crate) fn query(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        let mut visit = Visit::default();
-        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
-        self.enter(&mut visit);
-        self.answer(&visit)
+    /// Value and, if asked for, gradient at a point of the box.
+    #[inline(never)]
+    pub(crate) fn query(&self, point: [f32; 3], with_gradient: bool) -> Answer {
+        let (mut place, mut answer) = (Place::default(), Answer::default());
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
+        let bits = self.find(&mut place);
+        let question = self.question(&place.cell, place.shift, &place.position, with_gradient);
+        bits.evaluate(self, &question, &mut answer);
+        self.blend_if_near(&place, bits.overlap_codes(self), &question, &mut answer);
+        answer
     }
 
     /// The same from the last visit, which it changes.
-    #[inline]
-    pub(crate) fn query_from(&self, point: [f32; 3], visit: &mut Visit) -> (f32, [f32; 3]) {
+    #[inline(never)]
+    pub(crate) fn query_from(&self, point: [f32; 3], with_gradient: bool, visit: &mut Visit) -> Answer {
         let last = visit.place.cell;
         self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
         let [x, y, z, _] = visit.place.cell;
         let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
         if !visit.is_some || different >> visit.place.shift != 0 {
-            self.enter(visit);
+            let bits = self.find(&mut visit.place);
+            visit.codes = bits.overlap_codes(self);
+            bits.decode(self, &mut visit.polynomials);
+            visit.is_some = true;
         }
-        self.answer(visit)
+        let question = self.question(&visit.place.cell, visit.place.shift, &visit.place.position, with_gradient);
+        let mut answer = Answer::default();
+        visit.polynomials.evaluate(&question, &mut answer);
+        self.blend_if_near(&visit.place, visit.codes, &question, &mut answer);
+        answer
     }
 
-    /// Finds and reads the leaf of a place.
+    /// Finds the leaf of a place.
     #[inline]
-    fn enter(&self, visit: &mut Visit) {
-        let place = &mut visit.place;
+    fn find(&self, place: &mut Place) -> Bits<'a> {
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);
         (place.leaf, place.shift) = self.descend([x, y, z], node, depth, |shift, record| {
             place.path[shift as usize & 15] = record;
         });
-        let bits = Bits::at(self, place.leaf);
-        visit.codes = bits.overlap_codes(self);
-        bits.decode(self, &mut visit.polynomials);
-        visit.is_some = true;
+        Bits::at(self, place.leaf)
     }
 
-    /// Value and gradient at the place of a visit.
+    /// What to ask the leaf that holds a cell.
     #[inline]
-    fn answer(&self, visit: &Visit) -> (f32, [f32; 3]) {
-        let (local, alone) = self.answer_alone(visit);
-        let within = self.alone_within(visit.codes.reach);
-        let [x, y, z, _] = local;
-        let is_near = (x.abs() > within) | (y.abs() > within) | (z.abs() > within);
-        if is_near { self.blend(&visit.place, visit.codes, &local, alone) } else { alone }
+    pub(crate) fn question(&self, cell: &[u32; 4], shift: u32, position: &Position, with_gradient: bool) -> Question {
+        let mut question = Question { local: [0.0; 4], per_half: self.lattice.per_half(shift), with_gradient };
+        blend::local(cell, shift, position, &mut question.local);
+        question
     }
 
-    /// Local coordinates at the place of a visit, and value and gradient of its leaf.
+    /// Blends the answer of the leaf of a place with those of others that may have a say there.
     #[inline]
-    fn answer_alone(&self, Visit { place, polynomials, .. }: &Visit) -> (Lanes, (f32, [f32; 3])) {
-        let mut local = [0.0; 4];
-        blend::local(&place.cell, place.shift, &place.position, &mut local);
-        (local, polynomials.evaluate(&local, self.lattice.per_half(place.shift)))
+    fn blend_if_near(&self, place: &Place, codes: OverlapCodes, question: &Question, answer: &mut Answer) {
+        let within = self.alone_within(codes.reach);
+        let [x, y, z, _] = question.local;
+        if (x.abs() > within) | (y.abs() > within) | (z.abs() > within) {
+            self.blend(place, codes, question, answer);
+        }
     }
 
     /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.
