@@ -8,7 +8,7 @@ use crate::layout::leaf;
 use crate::legendre::Lanes;
 use crate::math;
 use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Question};
-use crate::polynomial_octree::{Node, Place, PolynomialOctree};
+use crate::polynomial_octree::{Node, Path, Place, PolynomialOctree};
 use crate::region::Region;
 
 /// The weight of a leaf at a point, and its derivatives by the leaf's local coordinates.
@@ -143,7 +143,7 @@ impl PolynomialOctree<'_> {
         let mut beyond = Beyond::default();
         beyond.faces = self.near_sides(&place.cell, place.shift, blend.codes, &blend.question.local, &mut beyond.cell);
         beyond.axes = beyond.faces;
-        let (mut seen, mut count) = ([0; 8], 0);
+        let (mut seen, mut path) = ([place.leaf; 8], Path::default());
         let mut done = SUBSETS[!beyond.faces as usize & 7];
         loop {
             let pending = SUBSETS[beyond.axes as usize & 7] & !done;
@@ -159,12 +159,13 @@ impl PolynomialOctree<'_> {
                     cell[axis] = beyond.cell[axis];
                 }
             }
-            let other = self.leaf_beside(place, cell);
-            if seen.iter().take(count).any(|&leaf| leaf == other.leaf) {
+            let other = self.leaf_beside(place, cell, &mut path);
+            // Beyond faces of the own leaf alone, only a greater one can be met twice.
+            let may_be_seen = other.shift > place.shift || beyond.axes != beyond.faces;
+            if may_be_seen && seen.contains(&other.leaf) {
                 continue;
             }
-            seen[count & 7] = other.leaf;
-            count += 1;
+            seen[crossed as usize & 7] = other.leaf;
 
             let bits = Bits::at(self, other.leaf);
             let codes = bits.overlap_codes(self);
@@ -258,7 +259,7 @@ impl PolynomialOctree<'_> {
 
     /// The leaf of a cell, from the node that holds that and a place.
     #[inline]
-    fn leaf_beside(&self, place: &Place, cell: [u32; 4]) -> Other {
+    fn leaf_beside(&self, place: &Place, cell: [u32; 4], path: &mut Path) -> Other {
         let [x, y, z, _] = cell;
         let depth = u32::from(self.lattice.depth);
         let different = (x ^ place.cell[0]) | (y ^ place.cell[1]) | (z ^ place.cell[2]);
@@ -268,7 +269,7 @@ impl PolynomialOctree<'_> {
         } else {
             (Node::Inner(place.path[shift.wrapping_sub(1) as usize & 15]), shift)
         };
-        let (leaf, shift) = self.descend([x, y, z], node, shift, |_, _| ());
+        let (leaf, shift) = self.descend(&cell, node, shift, path);
         Other { leaf, shift, cell }
     }
 

@@ -39,14 +39,10 @@ pub(crate) enum Node {
 
 /// The record of an inner node.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Record {
-    /// The mask of inner children and the starts.
-    pub(crate) starts: u64,
-    /// Number of the record of the first inner child.
-    pub(crate) child: u32,
-    /// Byte of the first leaf.
-    pub(crate) leaf: u32,
-}
+pub(crate) struct Record<'a>(pub(crate) &'a [u8; record::LENGTH]);
+
+/// Records of the nodes that hold a leaf, by the power of two of their children's edge.
+pub(crate) type Path = [u32; octree::MAX_DEPTH as usize];
 
 /// A point of the box, its leaf, and the way to it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -58,8 +54,7 @@ pub(crate) struct Place {
     pub(crate) shift: u32,
     /// Byte of the leaf.
     pub(crate) leaf: u32,
-    /// Records of the nodes that hold the leaf, by the power of two of their children's edge.
-    pub(crate) path: [u32; octree::MAX_DEPTH as usize],
+    pub(crate) path: Path,
 }
 
 /// A leaf that has been read, and the last place in it.
@@ -76,34 +71,44 @@ pub(crate) struct Visit {
 /// With a code of 0 everywhere.
 const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.5];
 
-impl Record {
-    #[inline]
-    pub(crate) fn new(bytes: &[u8; record::LENGTH]) -> Self {
-        let word = |bytes: Option<&[u8; 8]>| u64::from_le_bytes(*bytes.unwrap_or(&[0; 8]));
-        let first = word(bytes.last_chunk()) >> 16;
-        Self {
-            starts: word(bytes.first_chunk()),
-            child: first as u32 & ((1 << record::CHILD_BITS) - 1),
-            leaf: (first >> record::CHILD_BITS) as u32,
-        }
-    }
-
+impl Record<'_> {
     #[inline]
     pub(crate) fn is_inner(self, octant: u32) -> bool {
-        self.starts >> octant & 1 == 1
+        u32::from(self.0[record::INNER]) >> octant & 1 == 1
     }
 
     /// Where a child is, counted from the first of its kind.
     #[inline]
     pub(crate) fn start(self, octant: u32) -> u32 {
-        // Child 0 has none: the mask is in its place.
-        ((self.starts & !0xFF) >> (8 * octant)) as u32 & 0xFF
+        // Child 0 has none: the mask is in its place. A branch would be hard to predict.
+        u32::from(self.0[octant as usize & 7]) & u32::from(octant == 0).wrapping_sub(1)
+    }
+
+    /// Number of the record of the first inner child.
+    #[inline]
+    pub(crate) fn first_child(self) -> u32 {
+        self.first() as u32 & ((1 << record::CHILD_BITS) - 1)
+    }
+
+    /// Byte of the first leaf.
+    #[inline]
+    pub(crate) fn first_leaf(self) -> u32 {
+        (self.first() >> record::CHILD_BITS) as u32
+    }
+
+    #[inline]
+    fn first(self) -> u64 {
+        u64::from_le_bytes(*self.0.last_chunk().unwrap_or(&[0; 8])) >> 16
     }
 
     #[inline]
     pub(crate) fn child(self, octant: u32) -> Node {
         let start = self.start(octant);
-        if self.is_inner(octant) { Node::Inner(self.child + start) } else { Node::Leaf(self.leaf + start) }
+        if self.is_inner(octant) {
+            Node::Inner(self.first_child() + start)
+        } else {
+            Node::Leaf(self.first_leaf() + start)
+        }
     }
 }
 
@@ -225,7 +230,7 @@ impl<'a> PolynomialOctree<'a> {
     pub fn leaf_at(&self, cell: [u32; 3]) -> Leaf {
         let [x, y, z] = self.lattice.clamp(cell);
         let node = self.root(self.lattice.root_of([x, y, z]));
-        let (place, shift) = self.descend([x, y, z], node, self.lattice.depth.into(), |_, _| ());
+        let (place, shift) = self.descend(&[x, y, z, 0], node, self.lattice.depth.into(), &mut Path::default());
         let align = u32::MAX << shift;
         Leaf {
             level: self.lattice.depth - shift as u8,
@@ -310,9 +315,7 @@ impl<'a> PolynomialOctree<'a> {
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);
-        (place.leaf, place.shift) = self.descend([x, y, z], node, depth, |shift, record| {
-            place.path[shift as usize & 15] = record;
-        });
+        (place.leaf, place.shift) = self.descend(&place.cell, node, depth, &mut place.path);
         Bits::at(self, place.leaf)
     }
 
@@ -349,28 +352,27 @@ impl<'a> PolynomialOctree<'a> {
 
     /// A record; one of leaves without bits if there is none of that number.
     #[inline]
-    pub(crate) fn record(&self, number: u32) -> Record {
-        Record::new(self.records.get(number as usize).unwrap_or(&[0; record::LENGTH]))
+    pub(crate) fn record(&self, number: u32) -> Record<'a> {
+        Record(self.records.get(number as usize).unwrap_or(&[0; record::LENGTH]))
     }
 
     /// From a node whose edge is 2^`shift` to the leaf in it that holds a finest cell: its place, and its edge as a power
-    /// of two. `pass` is called with every record on the way, and the power of two of its children's edge.
-    #[inline]
+    /// of two. Writes the records on the way, by the power of two of their children's edge.
+    #[inline(never)]
     pub(crate) fn descend(
         &self,
-        cell: [u32; 3],
+        &[x, y, z, _]: &[u32; 4],
         mut node: Node,
         mut shift: u32,
-        mut pass: impl FnMut(u32, u32),
+        path: &mut Path,
     ) -> (u32, u32) {
         // All three coordinates at once: a product gathers a bit of each.
-        let [x, y, z] = cell.map(u64::from);
-        let digits = x | y << 21 | z << 42;
+        let digits = u64::from(x) | u64::from(y) << 21 | u64::from(z) << 42;
         while let Node::Inner(record) = node
             && shift > 0
         {
             shift -= 1;
-            pass(shift, record);
+            path[shift as usize & 15] = record;
             let bits = digits >> shift & (1 | 1 << 21 | 1 << 42);
             let octant = (bits.wrapping_mul(1 << 42 | 1 << 22 | 1 << 2) >> 42) as u32 & 7;
             node = self.record(record).child(octant);
