@@ -67,10 +67,10 @@ impl Sums {
 
     #[inline(never)]
     fn add_slopes(&mut self, weight: &Weight, value: f32, per_half: f32, gradient: &Lanes) {
-        for lane in 0..4 {
+        for (lane, part) in gradient.iter().enumerate() {
             let slope = weight.slope[lane] * per_half;
             self.weight_slope[lane] += slope;
-            self.slope[lane] += weight.value * gradient[lane] + slope * value;
+            self.slope[lane] += weight.value * part + slope * value;
         }
     }
 
@@ -154,9 +154,9 @@ impl PolynomialOctree<'_> {
             done |= 1 << crossed;
 
             let mut cell = place.cell;
-            for axis in 0..3 {
+            for (axis, part) in cell.iter_mut().enumerate() {
                 if crossed >> axis & 1 == 1 {
-                    cell[axis] = beyond.cell[axis];
+                    *part = beyond.cell[axis];
                 }
             }
             let other = self.leaf_beside(place, cell, &mut path);
@@ -189,15 +189,15 @@ impl PolynomialOctree<'_> {
         local: &Lanes,
         crossed: u32,
     ) -> bool {
-        let mut cell = [0; 4];
-        let near = self.near_sides(&other.cell, other.shift, codes, local, &mut cell);
+        let mut cells = [0; 4];
+        let near = self.near_sides(&other.cell, other.shift, codes, local, &mut cells) & !crossed;
         let mut is_known = codes.reach != 0;
-        for axis in 0..3 {
-            let is_within = (cell[axis] ^ place.cell[axis]) >> place.shift == 0;
-            if (near & !crossed) >> axis & 1 == 1 && is_within {
-                is_known &= beyond.axes >> axis & 1 == 0 || beyond.cell[axis] == cell[axis];
+        for (axis, cell) in cells.into_iter().enumerate() {
+            let is_within = (cell ^ place.cell[axis]) >> place.shift == 0;
+            if near >> axis & 1 == 1 && is_within {
+                is_known &= beyond.axes >> axis & 1 == 0 || beyond.cell[axis] == cell;
                 beyond.axes |= 1 << axis;
-                beyond.cell[axis] = cell[axis];
+                beyond.cell[axis] = cell;
             }
         }
         is_known
