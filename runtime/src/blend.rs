@@ -7,15 +7,15 @@ use crate::lattice::{Leaf, Position};
 use crate::layout::leaf;
 use crate::legendre::Lanes;
 use crate::math;
-use crate::polynomial_leaf::{Bits, OverlapCodes, Polynomials};
-use crate::polynomial_octree::{Node, Place, PolynomialOctree};
+use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Question};
+use crate::polynomial_octree::{Node, Path, Place, PolynomialOctree};
 use crate::region::Region;
 
 /// The weight of a leaf at a point, and its derivatives by the leaf's local coordinates.
 #[derive(Clone, Copy)]
 struct Weight {
     value: f32,
-    slope: [f32; 3],
+    slope: Lanes,
 }
 
 impl Weight {
@@ -27,7 +27,7 @@ impl Weight {
         steps(local, steepness, &mut step, &mut slope);
         let [x, y, z, _] = step;
         let (yz, xz, xy) = (y * z, x * z, x * y);
-        Self { value: x * yz, slope: [slope[0] * yz, slope[1] * xz, slope[2] * xy] }
+        Self { value: x * yz, slope: [slope[0] * yz, slope[1] * xz, slope[2] * xy, 0.0] }
     }
 }
 
@@ -46,37 +46,43 @@ fn steps(local: &Lanes, steepness: f32, step: &mut Lanes, slope: &mut Lanes) {
 /// Sums over leaves.
 #[derive(Clone, Copy, Default)]
 struct Sums {
-    /// Value of the leaf that holds the point: the values that are summed are differences to it, which loses less to
-    /// rounding.
-    own: f32,
     weight: f32,
-    weight_slope: [f32; 3],
+    weight_slope: Lanes,
+    /// Of the values by the weights. They are differences to that of the leaf that holds the point, which loses less to
+    /// rounding.
     value: f32,
     /// Of the gradients by the weights, and of the values by the slopes of the weights.
-    slope: [f32; 3],
+    slope: Lanes,
 }
 
 impl Sums {
     #[inline]
-    fn add(&mut self, weight: Weight, per_half: f32, value: f32, gradient: [f32; 3]) {
+    fn add(&mut self, weight: &Weight, value: f32, question: &Question, gradient: &Lanes) {
         self.weight += weight.value;
         self.value += weight.value * value;
-        for (axis, part) in gradient.into_iter().enumerate() {
-            let slope = weight.slope[axis] * per_half;
-            self.weight_slope[axis] += slope;
-            self.slope[axis] += weight.value * part + slope * value;
+        if question.with_gradient {
+            self.add_slopes(weight, value, question.per_half, gradient);
         }
     }
-}
 
-impl Sums {
-    /// Value and gradient of the mean by weight.
-    #[inline]
-    fn mean(&self) -> (f32, [f32; 3]) {
+    #[inline(never)]
+    fn add_slopes(&mut self, weight: &Weight, value: f32, per_half: f32, gradient: &Lanes) {
+        for (lane, part) in gradient.iter().enumerate() {
+            let slope = weight.slope[lane] * per_half;
+            self.weight_slope[lane] += slope;
+            self.slope[lane] += weight.value * part + slope * value;
+        }
+    }
+
+    /// Makes the answer of the leaf that holds the point the mean by weight.
+    #[inline(never)]
+    fn add_mean_to(&self, answer: &mut Answer) {
         let per_weight = 1.0 / self.weight;
         let change = self.value * per_weight;
-        let gradient = [0, 1, 2].map(|axis: usize| (self.slope[axis] - change * self.weight_slope[axis]) * per_weight);
-        (self.own + change, gradient)
+        answer.value += change;
+        for lane in 0..4 {
+            answer.gradient[lane] = (self.slope[lane] - change * self.weight_slope[lane]) * per_weight;
+        }
     }
 }
 
@@ -87,89 +93,173 @@ struct Other {
     cell: [u32; 4],
 }
 
-/// Of a leaf next to another, whether it alone is there, or finer ones may be.
-enum Neighbour {
-    Alone,
-    Among,
+/// A place near a face of its leaf, what that leaf answers there, and the sums over it and others.
+struct Blend<'b> {
+    place: &'b Place,
+    codes: OverlapCodes,
+    question: &'b Question,
+    own: &'b Answer,
+    /// Nothing until another leaf has a say.
+    sums: Sums,
 }
 
+/// What is beyond the faces near a place.
+#[derive(Default)]
+struct Beyond {
+    /// Axes along which a face of the leaf of the place is near, a bit for each.
+    faces: u32,
+    /// Those, and axes along which a face between two of the leaves beyond is.
+    axes: u32,
+    /// Along each of them, the cell beyond.
+    cell: [u32; 4],
+}
+
+/// The subsets of each set of axes, a bit for each.
+const SUBSETS: [u32; 8] = [0x01, 0x03, 0x05, 0x0F, 0x11, 0x33, 0x55, 0xFF];
+
 impl PolynomialOctree<'_> {
-    /// Value and gradient at a place near a face of its leaf, where the leaf alone would answer `own`.
+    /// Makes the answer of the leaf of a place, near a face of it, the mean of all leaves that have a say there.
     #[inline(never)]
-    pub(crate) fn blend(
+    pub(crate) fn blend(&self, place: &Place, codes: OverlapCodes, question: &Question, answer: &mut Answer) {
+        let mut blend = Blend { place, codes, question, own: answer, sums: Sums::default() };
+        if codes.reach == 0 || !self.add_beside(&mut blend) {
+            self.add_around(&mut blend);
+        }
+        let sums = blend.sums;
+        if sums.weight > 0.0 {
+            sums.add_mean_to(answer);
+        }
+    }
+
+    /// Adds the leaf beyond each near face, edge and corner: each set of axes with a face of the own leaf. Where a leaf
+    /// beyond is finer, a face between it and another may be near along one more axis.
+    ///
+    /// No leaf is missed, because one that has a say touches the own leaf and all that it reaches into. But of the
+    /// faces along an axis only one is known; false if there are two, or if leaves are so small that there may be more of
+    /// them than directions.
+    #[inline]
+    fn add_beside(&self, blend: &mut Blend<'_>) -> bool {
+        let place = blend.place;
+        let mut beyond = Beyond::default();
+        beyond.faces = self.near_sides(&place.cell, place.shift, blend.codes, &blend.question.local, &mut beyond.cell);
+        beyond.axes = beyond.faces;
+        let (mut seen, mut path) = ([place.leaf; 8], Path::default());
+        let mut done = SUBSETS[!beyond.faces as usize & 7];
+        loop {
+            let pending = SUBSETS[beyond.axes as usize & 7] & !done;
+            if pending == 0 {
+                return true;
+            }
+            let crossed = pending.trailing_zeros();
+            done |= 1 << crossed;
+
+            let mut cell = place.cell;
+            for (axis, part) in cell.iter_mut().enumerate() {
+                if crossed >> axis & 1 == 1 {
+                    *part = beyond.cell[axis];
+                }
+            }
+            let other = self.leaf_beside(place, cell, &mut path);
+            // Beyond faces of the own leaf alone, only a greater one can be met twice.
+            let may_be_seen = other.shift > place.shift || beyond.axes != beyond.faces;
+            if may_be_seen && seen.contains(&other.leaf) {
+                continue;
+            }
+            seen[crossed as usize & 7] = other.leaf;
+
+            let bits = Bits::at(self, other.leaf);
+            let codes = bits.overlap_codes(self);
+            let question = self.question(&other.cell, other.shift, &place.position, blend.question.with_gradient);
+            if other.shift < place.shift && !self.widen(&mut beyond, place, &other, codes, &question.local, crossed) {
+                return false;
+            }
+            self.add(blend, &bits, codes, &question);
+        }
+    }
+
+    /// Adds the near faces between a leaf, finer than that of the place, and others of its side. False if they are not known
+    /// by one cell along each axis.
+    #[inline(never)]
+    fn widen(
         &self,
+        beyond: &mut Beyond,
         place: &Place,
+        other: &Other,
         codes: OverlapCodes,
         local: &Lanes,
-        own: (f32, [f32; 3]),
-    ) -> (f32, [f32; 3]) {
-        if codes.reach == 0 {
-            return self.blend_all(place, codes, local, own);
-        }
-        let (axes, beyond) = self.near_sides(place, codes, local);
-        if axes == 0 {
-            return own;
-        }
-
-        // The leaf beyond each near face, edge and corner: each set of axes but the empty one.
-        let mut sums = self.sums_of(place, codes, local, own);
-        let alone = (sums.weight, sums.weight_slope);
-        let mut seen = [place.leaf; 8];
-        let mut crossed = axes;
-        while crossed != 0 {
-            let mut cell = place.cell;
-            for axis in 0..3 {
-                if crossed >> axis & 1 == 1 {
-                    cell[axis] = beyond[axis];
-                }
+        crossed: u32,
+    ) -> bool {
+        let mut cells = [0; 4];
+        let near = self.near_sides(&other.cell, other.shift, codes, local, &mut cells) & !crossed;
+        let mut is_known = codes.reach != 0;
+        for (axis, cell) in cells.into_iter().enumerate() {
+            let is_within = (cell ^ place.cell[axis]) >> place.shift == 0;
+            if near >> axis & 1 == 1 && is_within {
+                is_known &= beyond.axes >> axis & 1 == 0 || beyond.cell[axis] == cell;
+                beyond.axes |= 1 << axis;
+                beyond.cell[axis] = cell;
             }
-            let other = self.leaf_beside(place, cell);
-            if other.shift <= place.shift || !seen.contains(&other.leaf) {
-                let along = if other.shift < place.shift { !crossed } else { 0 };
-                if let Neighbour::Among = self.add(&mut sums, &other, along, place) {
-                    return self.blend_all(place, codes, local, own);
-                }
-                seen[crossed as usize & 7] = other.leaf;
-            }
-            crossed = (crossed - 1) & axes;
         }
-        // Near the end of a support the weight is lost in the sum while its slope is not.
-        if (sums.weight, sums.weight_slope) == alone { own } else { sums.mean() }
+        is_known
     }
 
     /// The same where leaves are so small that there may be more of them than directions.
     #[cold]
     #[inline(never)]
-    fn blend_all(&self, place: &Place, codes: OverlapCodes, local: &Lanes, own: (f32, [f32; 3])) -> (f32, [f32; 3]) {
-        let mut sums = self.sums_of(place, codes, local, own);
-        for Leaf { cell: [x, y, z], edge, place: leaf, .. } in self.around(place, codes.reach) {
+    fn add_around(&self, blend: &mut Blend<'_>) {
+        let place = blend.place;
+        blend.sums = Sums::default();
+        for Leaf { cell: [x, y, z], edge, place: leaf, .. } in self.around(place, blend.codes.reach) {
             if leaf != place.leaf {
-                let other = Other { leaf, shift: edge.trailing_zeros(), cell: [x, y, z, 0] };
-                self.add(&mut sums, &other, 0, place);
+                let bits = Bits::at(self, leaf);
+                let shift = edge.trailing_zeros();
+                let question = self.question(&[x, y, z, 0], shift, &place.position, blend.question.with_gradient);
+                self.add(blend, &bits, bits.overlap_codes(self), &question);
             }
         }
-        sums.mean()
     }
 
-    /// Along which axes a place is near a face with a neighbour, a bit for each, and the cell beyond the nearer face.
+    /// Along which axes a place is near a face of a leaf with a neighbour, a bit for each, and the cells beyond the nearer
+    /// faces.
     #[inline]
-    fn near_sides(&self, place: &Place, codes: OverlapCodes, local: &Lanes) -> (u32, [u32; 3]) {
-        let within = self.alone_within(codes.reach);
-        let (mut axes, mut beyond) = (0, [0; 3]);
-        for axis in 0..3 {
-            let low = place.cell[axis] >> place.shift << place.shift;
-            let is_high = local[axis] > 0.0;
-            // One less than 0 is beyond the lattice too.
-            beyond[axis] = if is_high { low + (1 << place.shift) } else { low.wrapping_sub(1) };
-            let is_near = (local[axis].abs() > within) & (beyond[axis] < self.lattice.root_cells[axis] << self.depth());
-            axes |= u32::from(is_near) << axis;
+    fn near_sides(
+        &self,
+        cell: &[u32; 4],
+        shift: u32,
+        codes: OverlapCodes,
+        local: &Lanes,
+        beyond: &mut [u32; 4],
+    ) -> u32 {
+        let mut near = [0; 4];
+        self.sides(cell, shift, self.alone_within(codes.reach), local, beyond, &mut near);
+        let [x, y, z, _] = near;
+        x | y << 1 | z << 2
+    }
+
+    #[inline(never)]
+    fn sides(
+        &self,
+        cell: &[u32; 4],
+        shift: u32,
+        within: f32,
+        local: &Lanes,
+        beyond: &mut [u32; 4],
+        near: &mut [u32; 4],
+    ) {
+        let (align, edge) = (u32::MAX << shift, 1 << shift);
+        for lane in 0..4 {
+            let low = cell[lane] & align;
+            let next = if local[lane] > 0.0 { low + edge } else { low.wrapping_sub(1) };
+            beyond[lane] = next;
+            let next = next.cast_signed() as f32;
+            let is_near = (local[lane].abs() > within) & (next >= 0.0) & (next < self.lattice.extent[lane]);
+            near[lane] = u32::from(is_near);
         }
-        (axes, beyond)
     }
 
     /// The leaf of a cell, from the node that holds that and a place.
     #[inline]
-    fn leaf_beside(&self, place: &Place, cell: [u32; 4]) -> Other {
+    fn leaf_beside(&self, place: &Place, cell: [u32; 4], path: &mut Path) -> Other {
         let [x, y, z, _] = cell;
         let depth = u32::from(self.lattice.depth);
         let different = (x ^ place.cell[0]) | (y ^ place.cell[1]) | (z ^ place.cell[2]);
@@ -179,40 +269,28 @@ impl PolynomialOctree<'_> {
         } else {
             (Node::Inner(place.path[shift.wrapping_sub(1) as usize & 15]), shift)
         };
-        let (leaf, shift) = self.descend([x, y, z], node, shift, |_, _| ());
+        let (leaf, shift) = self.descend(&cell, node, shift, path);
         Other { leaf, shift, cell }
     }
 
-    /// The sums over the leaf of a place alone.
-    #[inline]
-    fn sums_of(&self, place: &Place, codes: OverlapCodes, local: &Lanes, own: (f32, [f32; 3])) -> Sums {
-        let mut sums = Sums { own: own.0, ..Sums::default() };
-        let weight = Weight::at(local, self.steepness(codes.support));
-        sums.add(weight, self.lattice.per_half(place.shift), 0.0, own.1);
-        sums
-    }
-
-    /// Adds another leaf. It may not be alone if its own neighbours reach the place along one of the axes `along`.
+    /// Adds another leaf, and the own one before the first.
     #[inline(never)]
-    fn add(&self, sums: &mut Sums, other: &Other, along: u32, place: &Place) -> Neighbour {
-        let bits = Bits::at(self, other.leaf);
-        let codes = bits.overlap_codes(self);
-        let mut local = [0.0; 4];
-        self::local(&other.cell, other.shift, &place.position, &mut local);
-        let within = self.alone_within(codes.reach);
-        let is_among = |axis: usize| (along >> axis & 1 == 1) & (local[axis].abs() > within);
-        if is_among(0) | is_among(1) | is_among(2) {
-            return Neighbour::Among;
+    fn add(&self, blend: &mut Blend<'_>, bits: &Bits<'_>, codes: OverlapCodes, question: &Question) {
+        let steepness = self.steepness(codes.support);
+        let [x, y, z, _] = question.local.map(f32::abs);
+        let xy = if x > y { x } else { y };
+        let farthest = if xy > z { xy } else { z };
+        if 0.5 + (1.0 - farthest) * steepness <= 0.0 {
+            return;
         }
-        let weight = Weight::at(&local, self.steepness(codes.support));
-        if weight.value > 0.0 {
-            let mut polynomials = Polynomials::default();
-            bits.decode(self, &mut polynomials);
-            let per_half = self.lattice.per_half(other.shift);
-            let (value, gradient) = polynomials.evaluate(&local, per_half);
-            sums.add(weight, per_half, value - sums.own, gradient);
+        if blend.sums.weight == 0.0 {
+            let weight = Weight::at(&blend.question.local, self.steepness(blend.codes.support));
+            blend.sums.add(&weight, 0.0, blend.question, &blend.own.gradient);
         }
-        Neighbour::Alone
+        let mut answer = Answer::default();
+        bits.evaluate(self, question, &mut answer);
+        let weight = Weight::at(&question.local, steepness);
+        blend.sums.add(&weight, answer.value - blend.own.value, question, &answer.gradient);
     }
 
     /// The leaves of which the supports can hold a place, and a few more.

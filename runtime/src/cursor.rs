@@ -40,7 +40,9 @@ impl<'a, R: Representation<'a>> Cursor<'a, R> {
                 let (_, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.value_between(&self.jets, local)
             }
-            Kind::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit).0,
+            Kind::Polynomial(octree) if octree.lattice.contains(point) => {
+                octree.query_from(point, false, &mut self.visit).value
+            }
             _ => self.field.distance(point),
         }
     }
@@ -53,7 +55,9 @@ impl<'a, R: Representation<'a>> Cursor<'a, R> {
                 let (leaf, local) = move_to(octree, point, &mut self.leaf, &mut self.jets);
                 octree.evaluate_between(&leaf, &self.jets, local)
             }
-            Kind::Polynomial(octree) if octree.lattice.contains(point) => octree.query_from(point, &mut self.visit),
+            Kind::Polynomial(octree) if octree.lattice.contains(point) => {
+                octree.query_from(point, true, &mut self.visit).split()
+            }
             _ => self.field.distance_and_gradient(point),
         }
     }

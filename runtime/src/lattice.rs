@@ -29,7 +29,7 @@ pub(crate) struct Lattice {
     min: Position,
     max: Position,
     /// Finest cells along each axis, and 1: the last lane has a cell too, and that is 0.
-    extent: Position,
+    pub(crate) extent: Position,
     /// Finest cells per mesh unit.
     cells_per_unit: f32,
     pub(crate) root_cells: [u32; 3],
@@ -107,13 +107,18 @@ impl Lattice {
     /// Whether a point lies in the box, faces included. False for a NaN.
     #[inline]
     pub(crate) fn contains(&self, point: [f32; 3]) -> bool {
-        // Not short-circuited: one branch that is well predicted beats six.
-        let point = padded(point);
-        let mut is_outside = false;
-        for (lane, &part) in point.iter().enumerate() {
-            is_outside |= !((part >= self.min[lane]) & (part <= self.max[lane]));
+        let mut outside = [0; 4];
+        self.compare(&padded(point), &mut outside);
+        let [x, y, z, _] = outside;
+        x | y | z == 0
+    }
+
+    /// Along which axes a point is not in the box, 1 for each: apart and in memory, which makes four-wide code.
+    #[inline(never)]
+    fn compare(&self, point: &Position, outside: &mut [u32; 4]) {
+        for lane in 0..4 {
+            outside[lane] = u32::from(!((point[lane] >= self.min[lane]) & (point[lane] <= self.max[lane])));
         }
-        !is_outside
     }
 
     /// A point of the box in finest cells from the least corner of the box.

@@ -29,30 +29,6 @@ pub(crate) struct Coefficients {
     pub(crate) previous: Lanes,
 }
 
-/// The Legendre polynomials at a point, and their derivatives.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Basis {
-    /// x y z.
-    first: Lanes,
-    /// y z x.
-    next: Lanes,
-    /// z x y.
-    previous: Lanes,
-    second: Lanes,
-    third: Lanes,
-    second_slope: Lanes,
-    third_slope: Lanes,
-    /// x y z multiplied.
-    product: f32,
-}
-
-/// What the terms of a polynomial but the constant add up to: parts of the value, and the derivatives by x, y and z.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    value: Lanes,
-    slope: Lanes,
-}
-
 /// Lanes moved to the axis after their own.
 #[inline]
 fn moved_on([x, y, z, other]: Lanes) -> Lanes {
@@ -65,81 +41,73 @@ fn moved_back([x, y, z, other]: Lanes) -> Lanes {
     [y, z, x, other]
 }
 
-// The functions that are never inlined stay apart and end in memory, as those of `hermite` do, for the sake of four-wide
-// code.
-
-impl Basis {
-    /// Makes it the basis at a point, which may lie a little beyond the cube.
-    #[inline(never)]
-    pub(crate) fn fill(&mut self, point: &Lanes) {
-        for lane in ALL {
-            let (t, square) = (point[lane], point[lane] * point[lane]);
-            self.second[lane] = 1.5 * square - 0.5;
-            self.third[lane] = t * (2.5 * square - 1.5);
-            self.second_slope[lane] = 3.0 * t;
-            self.third_slope[lane] = 7.5 * square - 1.5;
-        }
-        self.first = *point;
-        self.next = moved_back(*point);
-        self.previous = moved_on(*point);
-        let [x, y, z, _] = *point;
-        self.product = x * y * z;
-    }
-}
-
 impl Coefficients {
-    /// Value and derivatives at a point of the basis, in steps.
+    /// Value at a point, which may lie a little beyond the cube, in steps; and the derivatives by x, y and z if they are
+    /// asked for. Asking changes no bit of the value.
     #[inline]
-    pub(crate) fn evaluate(&self, degree: u32, basis: &Basis) -> (f32, [f32; 3]) {
-        let mut sums = Sums::default();
-        let mut constant = self.constant;
+    pub(crate) fn evaluate(&self, degree: u32, point: &Lanes, with_slope: bool, slope: &mut Lanes) -> f32 {
+        let mut parts = [0.0; 4];
         match degree {
-            0 => return (constant, [0.0; 3]),
-            1 => self.add_first(basis, &mut sums),
-            2 => self.add_second(basis, &mut sums),
-            _ => {
-                self.add_third(basis, &mut sums);
-                constant += self.product * basis.product;
+            0 => *slope = [0.0; 4],
+            1 => self.first(point, &mut parts, slope),
+            2 => self.second(point, with_slope, &mut parts, slope),
+            _ => self.third(point, with_slope, &mut parts, slope),
+        }
+        let [a, b, c, _] = parts;
+        let constant =
+            if degree < 3 { self.constant } else { self.constant + self.product * (point[0] * point[1] * point[2]) };
+        constant + ((a + b) + c)
+    }
+
+    // What the terms but the constant and the product add up to: parts of the value, and derivatives. The functions that
+    // are never inlined stay apart and end in memory, as those of `hermite` do, for the sake of four-wide code.
+
+    #[inline]
+    fn first(&self, point: &Lanes, parts: &mut Lanes, slope: &mut Lanes) {
+        for lane in ALL {
+            parts[lane] = self.linear[lane] * point[lane];
+        }
+        *slope = self.linear;
+    }
+
+    #[inline(never)]
+    fn second(&self, first: &Lanes, with_slope: bool, parts: &mut Lanes, slope: &mut Lanes) {
+        let next = moved_back(*first);
+        let line = ALL.map(|lane| self.linear[lane] + self.cross[lane] * next[lane]);
+        for lane in ALL {
+            let second = 1.5 * (first[lane] * first[lane]) - 0.5;
+            parts[lane] = line[lane] * first[lane] + self.square[lane] * second;
+        }
+        if with_slope {
+            let (previous, cross) = (moved_on(*first), moved_on(self.cross));
+            for lane in ALL {
+                slope[lane] = (line[lane] + cross[lane] * previous[lane]) + self.square[lane] * (3.0 * first[lane]);
             }
         }
-        let [a, b, c, _] = sums.value;
-        let [x, y, z, _] = sums.slope;
-        (constant + ((a + b) + c), [x, y, z])
-    }
-
-    #[inline]
-    fn add_first(&self, basis: &Basis, sums: &mut Sums) {
-        for lane in ALL {
-            sums.value[lane] = self.linear[lane] * basis.first[lane];
-            sums.slope[lane] = self.linear[lane];
-        }
     }
 
     #[inline(never)]
-    fn add_second(&self, basis: &Basis, sums: &mut Sums) {
-        let cross = moved_on(self.cross);
+    fn third(&self, first: &Lanes, with_slope: bool, parts: &mut Lanes, slope: &mut Lanes) {
+        let (next, previous) = (moved_back(*first), moved_on(*first));
+        let squared = ALL.map(|lane| first[lane] * first[lane]);
+        let second = ALL.map(|lane| 1.5 * squared[lane] - 0.5);
+        let line = ALL.map(|lane| self.linear[lane] + self.cross[lane] * next[lane]);
+        let square =
+            ALL.map(|lane| self.square[lane] + (self.next[lane] * next[lane] + self.previous[lane] * previous[lane]));
         for lane in ALL {
-            let line = self.linear[lane] + self.cross[lane] * basis.next[lane];
-            sums.value[lane] = line * basis.first[lane] + self.square[lane] * basis.second[lane];
-            sums.slope[lane] =
-                (line + cross[lane] * basis.previous[lane]) + self.square[lane] * basis.second_slope[lane];
+            let third = first[lane] * (2.5 * squared[lane] - 1.5);
+            parts[lane] = (line[lane] * first[lane] + square[lane] * second[lane]) + self.cube[lane] * third;
         }
-    }
-
-    #[inline(never)]
-    fn add_third(&self, basis: &Basis, sums: &mut Sums) {
-        let cross = moved_on(self.cross);
-        let next = moved_on(ALL.map(|lane| self.next[lane] * basis.second[lane]));
-        let previous = moved_back(ALL.map(|lane| self.previous[lane] * basis.second[lane]));
-        for lane in ALL {
-            let line = self.linear[lane] + self.cross[lane] * basis.next[lane];
-            let square =
-                self.square[lane] + (self.next[lane] * basis.next[lane] + self.previous[lane] * basis.previous[lane]);
-            sums.value[lane] =
-                (line * basis.first[lane] + square * basis.second[lane]) + self.cube[lane] * basis.third[lane];
-            sums.slope[lane] = ((line + cross[lane] * basis.previous[lane]) + square * basis.second_slope[lane])
-                + (self.cube[lane] * basis.third_slope[lane] + (next[lane] + previous[lane]))
-                + self.product * (basis.next[lane] * basis.previous[lane]);
+        if with_slope {
+            let cross = moved_on(self.cross);
+            let by_next = moved_on(ALL.map(|lane| self.next[lane] * second[lane]));
+            let by_previous = moved_back(ALL.map(|lane| self.previous[lane] * second[lane]));
+            for lane in ALL {
+                let third_slope = 7.5 * squared[lane] - 1.5;
+                slope[lane] = ((line[lane] + cross[lane] * previous[lane]) + square[lane] * (3.0 * first[lane]))
+                    + (self.cube[lane] * third_slope + (by_next[lane] + by_previous[lane]))
+                    + self.product * (next[lane] * previous[lane]);
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! From the bits of a leaf of a polynomial octree to its value and derivatives (SPEC.md §12.4, §12.5).
 
 use crate::layout::{kind, leaf, shape};
-use crate::legendre::{Basis, Coefficients, Lanes};
+use crate::legendre::{Coefficients, Lanes};
 use crate::polynomial_octree::PolynomialOctree;
 
 /// The bytes that a leaf may take, and enough after them to load eight from any.
@@ -27,7 +27,7 @@ pub(crate) struct OverlapCodes {
 }
 
 /// How a leaf is made: the bytes of SPEC.md §12.4.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Shape(u64);
 
 impl Shape {
@@ -62,14 +62,64 @@ impl Shape {
     fn is_single(self) -> bool {
         self.byte(shape::KIND) == kind::SINGLE
     }
+
+    /// What one of the polynomials answers, in steps and local coordinates.
+    #[inline]
+    fn evaluate(self, polynomial: usize, coefficients: &Coefficients, question: &Question, answer: &mut Answer) {
+        let Question { local, with_gradient, .. } = question;
+        answer.value = coefficients.evaluate(self.degree(polynomial), local, *with_gradient, &mut answer.gradient);
+    }
+
+    /// Chooses between the answer of polynomial A and that of B.
+    #[inline(never)]
+    fn choose(self, second: &Coefficients, question: &Question, answer: &mut Answer) {
+        let mut other = Answer::default();
+        self.evaluate(1, second, question, &mut other);
+        let is_min = self.byte(shape::KIND) == kind::MIN;
+        if if is_min { other.value < answer.value } else { other.value > answer.value } {
+            *answer = other;
+        }
+    }
+}
+
+/// What is asked of a leaf: where, and whether with the gradient.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Question {
+    /// Local coordinates, -1 to 1 within the leaf.
+    pub(crate) local: Lanes,
+    /// Halves of the leaf's edge in a mesh unit.
+    pub(crate) per_half: f32,
+    pub(crate) with_gradient: bool,
+}
+
+/// What a leaf answers, or several: value, mesh units, and gradient if asked for. In its last lane is something finite
+/// that nobody looks at.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Answer {
+    pub(crate) value: f32,
+    pub(crate) gradient: Lanes,
+}
+
+impl Answer {
+    #[inline]
+    pub(crate) fn split(self) -> (f32, [f32; 3]) {
+        let [x, y, z, _] = self.gradient;
+        (self.value, [x, y, z])
+    }
+
+    /// From steps to mesh units.
+    #[inline]
+    fn scale(&mut self, step: f32, per_half: f32) {
+        self.value *= step;
+        let per_unit = step * per_half;
+        self.gradient = self.gradient.map(|part| part * per_unit);
+    }
 }
 
 /// The polynomials of a leaf.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Polynomials {
-    /// One of [`kind`].
-    kind: u8,
-    degrees: [u32; 2],
+    shape: Shape,
     /// Step of the coefficients, mesh units.
     step: f32,
     first: Coefficients,
@@ -77,21 +127,13 @@ pub(crate) struct Polynomials {
 }
 
 impl Polynomials {
-    /// Value, mesh units, and gradient at local coordinates, -1 to 1 within the leaf, of which `per_half` are a mesh unit.
     #[inline]
-    pub(crate) fn evaluate(&self, local: &Lanes, per_half: f32) -> (f32, [f32; 3]) {
-        let mut basis = Basis::default();
-        basis.fill(local);
-        let (mut value, mut slope) = self.first.evaluate(self.degrees[0], &basis);
-        if self.kind != kind::SINGLE {
-            let (other, other_slope) = self.second.evaluate(self.degrees[1], &basis);
-            let is_other = if self.kind == kind::MIN { other < value } else { other > value };
-            if is_other {
-                (value, slope) = (other, other_slope);
-            }
+    pub(crate) fn evaluate(&self, question: &Question, answer: &mut Answer) {
+        self.shape.evaluate(0, &self.first, question, answer);
+        if !self.shape.is_single() {
+            self.shape.choose(&self.second, question, answer);
         }
-        let per_unit = self.step * per_half;
-        (value * self.step, slope.map(|part| part * per_unit))
+        answer.scale(self.step, question.per_half);
     }
 }
 
@@ -130,28 +172,56 @@ impl<'a> Bits<'a> {
         bits
     }
 
+    /// What the leaf answers.
+    #[inline]
+    pub(crate) fn evaluate(&self, octree: &PolynomialOctree<'_>, question: &Question, answer: &mut Answer) {
+        let mut first = Coefficients::default();
+        let at = self.read_first(octree, &mut first);
+        self.shape.evaluate(0, &first, question, answer);
+        if !self.shape.is_single() {
+            self.choose(at, question, answer);
+        }
+        answer.scale(octree.quantum * self.shape.factor(), question.per_half);
+    }
+
+    /// Chooses between the answer of polynomial A and that of B, which starts at a bit.
+    #[inline(never)]
+    fn choose(&self, at: u32, question: &Question, answer: &mut Answer) {
+        let mut second = Coefficients::default();
+        self.read_second(at, &mut second);
+        self.shape.choose(&second, question, answer);
+    }
+
     /// Writes the polynomials.
     #[inline]
     pub(crate) fn decode(&self, octree: &PolynomialOctree<'_>, polynomials: &mut Polynomials) {
-        let shape = self.shape;
-        polynomials.kind = shape.byte(shape::KIND);
-        polynomials.degrees = [shape.degree(0), shape.degree(1)];
-        polynomials.step = octree.quantum * shape.factor();
-
-        let width = Width::new(shape.width(0));
-        let constant = width.number((self.head >> octree.header_bits) as u32);
-        let at = u32::from(octree.header_bits) + width.bits;
-        let at = self.read(constant, shape.degree(0), at, &mut polynomials.first);
-        if !shape.is_single() {
-            let constant = width.number(load(self.window, at) as u32);
-            self.read(constant, shape.degree(1), at + width.bits, &mut polynomials.second);
+        polynomials.shape = self.shape;
+        polynomials.step = octree.quantum * self.shape.factor();
+        let at = self.read_first(octree, &mut polynomials.first);
+        if !self.shape.is_single() {
+            self.read_second(at, &mut polynomials.second);
         }
     }
 
-    /// Writes the coefficients of a polynomial, of which those of degree 1 start at a bit; returns the bit after them.
+    /// Writes the coefficients of polynomial A; returns the bit after them.
+    #[inline]
+    fn read_first(&self, octree: &PolynomialOctree<'_>, coefficients: &mut Coefficients) -> u32 {
+        let width = Width::new(self.shape.width(0));
+        coefficients.constant = width.number((self.head >> octree.header_bits) as u32);
+        self.read(self.shape.degree(0), u32::from(octree.header_bits) + width.bits, coefficients)
+    }
+
+    /// Writes the coefficients of polynomial B, which start at a bit.
+    #[inline]
+    fn read_second(&self, at: u32, coefficients: &mut Coefficients) {
+        let width = Width::new(self.shape.width(0));
+        coefficients.constant = width.number(load(self.window, at) as u32);
+        self.read(self.shape.degree(1), at + width.bits, coefficients);
+    }
+
+    /// Writes the coefficients of a polynomial but the constant, of which those of degree 1 start at a bit; returns the bit after them.
     #[inline(never)]
-    fn read(&self, constant: f32, degree: u32, at: u32, coefficients: &mut Coefficients) -> u32 {
-        coefficients.constant = constant;
+    fn read(&self, degree: u32, at: u32, coefficients: &mut Coefficients) -> u32 {
         if degree == 0 {
             return at;
         }
@@ -206,7 +276,7 @@ impl Width {
     #[inline]
     fn three(self, bits: u64, numbers: &mut Lanes) {
         let (second, third) = ((bits >> self.bits) as u32, (bits >> self.bits >> self.bits) as u32);
-        for (code, number) in [bits as u32, second, third, third].into_iter().zip(numbers) {
+        for (code, number) in [bits as u32, second, third, 0].into_iter().zip(numbers) {
             *number = ((code & self.mask).cast_signed() - self.half) as f32;
         }
     }

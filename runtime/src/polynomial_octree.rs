@@ -6,9 +6,8 @@ use crate::error::Error;
 use crate::header::Aabb;
 use crate::lattice::{Lattice, Leaf, Position, padded};
 use crate::layout::{continuity, leaf, limit, octree, polynomial as at, record, root_word, section, shape};
-use crate::legendre::Lanes;
 use crate::octree::Continuity;
-use crate::polynomial_leaf::{Bits, OverlapCodes, Polynomials};
+use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Polynomials, Question};
 use crate::section as sections;
 
 /// An octree whose leaves are polynomials, blended where they overlap.
@@ -40,14 +39,10 @@ pub(crate) enum Node {
 
 /// The record of an inner node.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Record {
-    /// The mask of inner children and the starts.
-    pub(crate) starts: u64,
-    /// Number of the record of the first inner child.
-    pub(crate) child: u32,
-    /// Byte of the first leaf.
-    pub(crate) leaf: u32,
-}
+pub(crate) struct Record<'a>(pub(crate) &'a [u8; record::LENGTH]);
+
+/// Records of the nodes that hold a leaf, by the power of two of their children's edge.
+pub(crate) type Path = [u32; octree::MAX_DEPTH as usize];
 
 /// A point of the box, its leaf, and the way to it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -59,8 +54,7 @@ pub(crate) struct Place {
     pub(crate) shift: u32,
     /// Byte of the leaf.
     pub(crate) leaf: u32,
-    /// Records of the nodes that hold the leaf, by the power of two of their children's edge.
-    pub(crate) path: [u32; octree::MAX_DEPTH as usize],
+    pub(crate) path: Path,
 }
 
 /// A leaf that has been read, and the last place in it.
@@ -77,34 +71,44 @@ pub(crate) struct Visit {
 /// With a code of 0 everywhere.
 const REACH: [f32; 1 << leaf::REACH_BITS] = [2.0 / at::MIN_OVERLAP, 2.0, 1.0, 0.5];
 
-impl Record {
-    #[inline]
-    pub(crate) fn new(bytes: &[u8; record::LENGTH]) -> Self {
-        let word = |bytes: Option<&[u8; 8]>| u64::from_le_bytes(*bytes.unwrap_or(&[0; 8]));
-        let first = word(bytes.last_chunk()) >> 16;
-        Self {
-            starts: word(bytes.first_chunk()),
-            child: first as u32 & ((1 << record::CHILD_BITS) - 1),
-            leaf: (first >> record::CHILD_BITS) as u32,
-        }
-    }
-
+impl Record<'_> {
     #[inline]
     pub(crate) fn is_inner(self, octant: u32) -> bool {
-        self.starts >> octant & 1 == 1
+        u32::from(self.0[record::INNER]) >> octant & 1 == 1
     }
 
     /// Where a child is, counted from the first of its kind.
     #[inline]
     pub(crate) fn start(self, octant: u32) -> u32 {
-        // Child 0 has none: the mask is in its place.
-        ((self.starts & !0xFF) >> (8 * octant)) as u32 & 0xFF
+        // Child 0 has none: the mask is in its place. A branch would be hard to predict.
+        u32::from(self.0[octant as usize & 7]) & u32::from(octant == 0).wrapping_sub(1)
+    }
+
+    /// Number of the record of the first inner child.
+    #[inline]
+    pub(crate) fn first_child(self) -> u32 {
+        self.first() as u32 & ((1 << record::CHILD_BITS) - 1)
+    }
+
+    /// Byte of the first leaf.
+    #[inline]
+    pub(crate) fn first_leaf(self) -> u32 {
+        (self.first() >> record::CHILD_BITS) as u32
+    }
+
+    #[inline]
+    fn first(self) -> u64 {
+        u64::from_le_bytes(*self.0.last_chunk().unwrap_or(&[0; 8])) >> 16
     }
 
     #[inline]
     pub(crate) fn child(self, octant: u32) -> Node {
         let start = self.start(octant);
-        if self.is_inner(octant) { Node::Inner(self.child + start) } else { Node::Leaf(self.leaf + start) }
+        if self.is_inner(octant) {
+            Node::Inner(self.first_child() + start)
+        } else {
+            Node::Leaf(self.first_leaf() + start)
+        }
     }
 }
 
@@ -226,7 +230,7 @@ impl<'a> PolynomialOctree<'a> {
     pub fn leaf_at(&self, cell: [u32; 3]) -> Leaf {
         let [x, y, z] = self.lattice.clamp(cell);
         let node = self.root(self.lattice.root_of([x, y, z]));
-        let (place, shift) = self.descend([x, y, z], node, self.lattice.depth.into(), |_, _| ());
+        let (place, shift) = self.descend(&[x, y, z, 0], node, self.lattice.depth.into(), &mut Path::default());
         let align = u32::MAX << shift;
         Leaf {
             level: self.lattice.depth - shift as u8,
@@ -249,10 +253,14 @@ impl<'a> PolynomialOctree<'a> {
     /// The value is in mesh units, the gradient without unit. A leaf answers beyond its cell too,
     /// by extrapolation; finite coordinates of a few cells give finite answers.
     pub fn evaluate(&self, leaf: &Leaf, local: [f32; 3]) -> (f32, [f32; 3]) {
-        let mut polynomials = Polynomials::default();
-        Bits::at(self, leaf.place).decode(self, &mut polynomials);
-        let per_half = self.lattice.per_half(leaf.edge.trailing_zeros());
-        polynomials.evaluate(&padded(local.map(|part| 2.0 * part - 1.0)), per_half)
+        let question = Question {
+            local: padded(local.map(|part| 2.0 * part - 1.0)),
+            per_half: self.lattice.per_half(leaf.edge.trailing_zeros()),
+            with_gradient: true,
+        };
+        let mut answer = Answer::default();
+        Bits::at(self, leaf.place).evaluate(self, &question, &mut answer);
+        answer.split()
     }
 
     /// What the leaf that holds a point of the box answers alone, distance and gradient: faster than
@@ -262,66 +270,71 @@ impl<'a> PolynomialOctree<'a> {
         if !self.lattice.contains(point) {
             return None;
         }
-        let mut visit = Visit::default();
-        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
-        self.enter(&mut visit);
-        Some(self.answer_alone(&visit).1)
+        let (mut place, mut answer) = (Place::default(), Answer::default());
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
+        let bits = self.find(&mut place);
+        bits.evaluate(self, &self.question(&place.cell, place.shift, &place.position, true), &mut answer);
+        Some(answer.split())
     }
 
-    /// Value and gradient at a point of the box.
-    #[inline]
-    pub(crate) fn query(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        let mut visit = Visit::default();
-        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
-        self.enter(&mut visit);
-        self.answer(&visit)
+    /// Value and, if asked for, gradient at a point of the box.
+    #[inline(never)]
+    pub(crate) fn query(&self, point: [f32; 3], with_gradient: bool) -> Answer {
+        let (mut place, mut answer) = (Place::default(), Answer::default());
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
+        let bits = self.find(&mut place);
+        let question = self.question(&place.cell, place.shift, &place.position, with_gradient);
+        bits.evaluate(self, &question, &mut answer);
+        self.blend_if_near(&place, bits.overlap_codes(self), &question, &mut answer);
+        answer
     }
 
     /// The same from the last visit, which it changes.
-    #[inline]
-    pub(crate) fn query_from(&self, point: [f32; 3], visit: &mut Visit) -> (f32, [f32; 3]) {
+    #[inline(never)]
+    pub(crate) fn query_from(&self, point: [f32; 3], with_gradient: bool, visit: &mut Visit) -> Answer {
         let last = visit.place.cell;
         self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
         let [x, y, z, _] = visit.place.cell;
         let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
         if !visit.is_some || different >> visit.place.shift != 0 {
-            self.enter(visit);
+            let bits = self.find(&mut visit.place);
+            visit.codes = bits.overlap_codes(self);
+            bits.decode(self, &mut visit.polynomials);
+            visit.is_some = true;
         }
-        self.answer(visit)
+        let question = self.question(&visit.place.cell, visit.place.shift, &visit.place.position, with_gradient);
+        let mut answer = Answer::default();
+        visit.polynomials.evaluate(&question, &mut answer);
+        self.blend_if_near(&visit.place, visit.codes, &question, &mut answer);
+        answer
     }
 
-    /// Finds and reads the leaf of a place.
+    /// Finds the leaf of a place.
     #[inline]
-    fn enter(&self, visit: &mut Visit) {
-        let place = &mut visit.place;
+    fn find(&self, place: &mut Place) -> Bits<'a> {
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);
-        (place.leaf, place.shift) = self.descend([x, y, z], node, depth, |shift, record| {
-            place.path[shift as usize & 15] = record;
-        });
-        let bits = Bits::at(self, place.leaf);
-        visit.codes = bits.overlap_codes(self);
-        bits.decode(self, &mut visit.polynomials);
-        visit.is_some = true;
+        (place.leaf, place.shift) = self.descend(&place.cell, node, depth, &mut place.path);
+        Bits::at(self, place.leaf)
     }
 
-    /// Value and gradient at the place of a visit.
+    /// What to ask the leaf that holds a cell.
     #[inline]
-    fn answer(&self, visit: &Visit) -> (f32, [f32; 3]) {
-        let (local, alone) = self.answer_alone(visit);
-        let within = self.alone_within(visit.codes.reach);
-        let [x, y, z, _] = local;
-        let is_near = (x.abs() > within) | (y.abs() > within) | (z.abs() > within);
-        if is_near { self.blend(&visit.place, visit.codes, &local, alone) } else { alone }
+    pub(crate) fn question(&self, cell: &[u32; 4], shift: u32, position: &Position, with_gradient: bool) -> Question {
+        let mut question = Question { local: [0.0; 4], per_half: self.lattice.per_half(shift), with_gradient };
+        blend::local(cell, shift, position, &mut question.local);
+        question
     }
 
-    /// Local coordinates at the place of a visit, and value and gradient of its leaf.
+    /// Blends the answer of the leaf of a place with those of others that may have a say there.
     #[inline]
-    fn answer_alone(&self, Visit { place, polynomials, .. }: &Visit) -> (Lanes, (f32, [f32; 3])) {
-        let mut local = [0.0; 4];
-        blend::local(&place.cell, place.shift, &place.position, &mut local);
-        (local, polynomials.evaluate(&local, self.lattice.per_half(place.shift)))
+    fn blend_if_near(&self, place: &Place, codes: OverlapCodes, question: &Question, answer: &mut Answer) {
+        let within = self.alone_within(codes.reach);
+        let [x, y, z, _] = question.local;
+        if (x.abs() > within) | (y.abs() > within) | (z.abs() > within) {
+            self.blend(place, codes, question, answer);
+        }
     }
 
     /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.
@@ -339,28 +352,27 @@ impl<'a> PolynomialOctree<'a> {
 
     /// A record; one of leaves without bits if there is none of that number.
     #[inline]
-    pub(crate) fn record(&self, number: u32) -> Record {
-        Record::new(self.records.get(number as usize).unwrap_or(&[0; record::LENGTH]))
+    pub(crate) fn record(&self, number: u32) -> Record<'a> {
+        Record(self.records.get(number as usize).unwrap_or(&[0; record::LENGTH]))
     }
 
     /// From a node whose edge is 2^`shift` to the leaf in it that holds a finest cell: its place, and its edge as a power
-    /// of two. `pass` is called with every record on the way, and the power of two of its children's edge.
-    #[inline]
+    /// of two. Writes the records on the way, by the power of two of their children's edge.
+    #[inline(never)]
     pub(crate) fn descend(
         &self,
-        cell: [u32; 3],
+        &[x, y, z, _]: &[u32; 4],
         mut node: Node,
         mut shift: u32,
-        mut pass: impl FnMut(u32, u32),
+        path: &mut Path,
     ) -> (u32, u32) {
         // All three coordinates at once: a product gathers a bit of each.
-        let [x, y, z] = cell.map(u64::from);
-        let digits = x | y << 21 | z << 42;
+        let digits = u64::from(x) | u64::from(y) << 21 | u64::from(z) << 42;
         while let Node::Inner(record) = node
             && shift > 0
         {
             shift -= 1;
-            pass(shift, record);
+            path[shift as usize & 15] = record;
             let bits = digits >> shift & (1 | 1 << 21 | 1 << 42);
             let octant = (bits.wrapping_mul(1 << 42 | 1 << 22 | 1 << 2) >> 42) as u32 & 7;
             node = self.record(record).child(octant);

@@ -193,12 +193,12 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
 
     #[inline]
     fn value(&self, point: [f32; 3]) -> f32 {
-        self.query(point).0
+        self.query(point, false).value
     }
 
     #[inline]
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        self.query(point)
+        self.query(point, true).split()
     }
 
     #[inline]

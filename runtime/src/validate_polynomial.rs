@@ -40,7 +40,7 @@ pub(crate) fn octree(bytes: &[u8], octree: &PolynomialOctree<'_>) -> Result<(), 
         if number >= next.record {
             return Err(Error::RecordOrder);
         }
-        check_record(octree, &Record::new(bytes), level + 1 == octree.lattice.depth, &mut next)?;
+        check_record(octree, Record(bytes), level + 1 == octree.lattice.depth, &mut next)?;
     }
 
     if next.record as usize != octree.records.len() {
@@ -112,15 +112,15 @@ fn check_shapes(octree: &PolynomialOctree<'_>) -> Result<(), Error> {
 
 fn check_record(
     octree: &PolynomialOctree<'_>,
-    record: &Record,
+    record: Record<'_>,
     is_last_level: bool,
     next: &mut Next,
 ) -> Result<(), Error> {
     // Also where there are no children of the kind.
-    if record.child != next.record {
+    if record.first_child() != next.record {
         return Err(Error::RecordOrder);
     }
-    if record.leaf != next.place {
+    if record.first_leaf() != next.place {
         return Err(Error::LeafOrder);
     }
     for octant in 0..8 {
