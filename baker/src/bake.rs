@@ -94,7 +94,7 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
 
     // 4. The error contract, as the shipping reader answers.
     stopwatch.stage("verify");
-    let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
+    let field = accepted(&bytes)?;
     let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
     finish(&mut bytes, settings, &measurement);
 
@@ -132,11 +132,16 @@ pub fn bake_function(
         build_within_budget(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
 
     stopwatch.stage("verify");
-    let field = Field::open(&bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)?;
+    let field = accepted(&bytes)?;
     let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
     finish(&mut bytes, settings, &measurement);
     let report = Report { sign: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
+}
+
+/// The field, as the shipping reader accepts it.
+fn accepted(bytes: &[u8]) -> Result<Field<'_>, BakeError> {
+    Field::open(bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)
 }
 
 /// How much steeper than the steepest slope that was measured a blended field is allowed to be.

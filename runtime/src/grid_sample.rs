@@ -17,9 +17,16 @@ pub(crate) struct FirstOrder {
 }
 
 impl FirstOrder {
-    pub(crate) const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
+    const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
 
-    /// The same with mixed derivatives of zero.
+    /// The polynomial of a corner at an offset from it, its slope times a share.
+    #[inline]
+    pub(crate) fn value_from(&self, corner: usize, [x, y, z]: [f32; 3], share: f32) -> f32 {
+        let [by_x, by_y, by_z] = &self.gradient;
+        self.distance[corner] + share * (by_x[corner] * x + by_y[corner] * y + by_z[corner] * z)
+    }
+
+    /// The jets of the corners, with mixed derivatives of zero.
     #[inline]
     pub(crate) fn jets(&self) -> Jets {
         let [by_x, by_y, by_z] = &self.gradient;
@@ -84,18 +91,20 @@ impl Grid<'_> {
         decode_distance(self.base(at), code, self.quantum)
     }
 
-    /// Writes the samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
+    /// The samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
     #[inline]
-    pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
+    pub(crate) fn first_order(&self, cell: [u32; 3]) -> FirstOrder {
+        let mut corners = FirstOrder::ZERO;
         if self.precision == GridPrecision::Packed32 {
             let [x, y, z] = self.spacing();
-            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], corners);
+            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], &mut corners);
         } else {
-            self.read_wide_first_order(cell, corners);
+            self.read_wide_first_order(cell, &mut corners);
         }
+        corners
     }
 
-    /// The same of samples of several words.
+    /// Writes samples of several words.
     #[inline(never)]
     fn read_wide_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         for corner in 0..8 {

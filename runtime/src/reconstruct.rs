@@ -65,13 +65,9 @@ impl Face {
 #[inline(never)]
 fn values_at_x(corners: &FirstOrder, place: &Place, face: &mut Face) {
     let Place { local: [x, y, z], weights: [Weights { value: [near, far], .. }, ..], share } = *place;
-    let [slope_x, slope_y, slope_z] = &corners.gradient;
     for end in 0..4 {
         let (from_y, from_z) = (y - Face::Y[end], z - Face::Z[end]);
-        let at = |corner: usize, from_x: f32| {
-            let slope = slope_x[corner] * from_x + slope_y[corner] * from_y + slope_z[corner] * from_z;
-            corners.distance[corner] + share * slope
-        };
+        let at = |corner: usize, from_x: f32| corners.value_from(corner, [from_x, from_y, from_z], share);
         face.value[end] = at(end, x) * near + at(4 + end, x - 1.0) * far;
     }
 }
@@ -83,10 +79,7 @@ fn slopes_at_x(corners: &FirstOrder, place: &Place, face: &mut Face) {
     let [slope_x, slope_y, slope_z] = &corners.gradient;
     for end in 0..4 {
         let (from_y, from_z) = (y - Face::Y[end], z - Face::Z[end]);
-        let at = |corner: usize, from_x: f32| {
-            let slope = slope_x[corner] * from_x + slope_y[corner] * from_y + slope_z[corner] * from_z;
-            corners.distance[corner] + share * slope
-        };
+        let at = |corner: usize, from_x: f32| corners.value_from(corner, [from_x, from_y, from_z], share);
         let own = |slopes: &Corners| share * (slopes[end] * near + slopes[4 + end] * far);
         face.by_x[end] = at(end, x) * derivative[0] + at(4 + end, x - 1.0) * derivative[1] + own(slope_x);
         face.by_y[end] = own(slope_y);
@@ -106,15 +99,9 @@ impl Grid<'_> {
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
         match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                tricubic(&corners.jets(), local)
-            }
+            (1, Reconstruction::Hermite) => tricubic(&self.first_order(cell).jets(), local),
             (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                first_order_value(&corners, &self.place(local))
+                first_order_value(&self.first_order(cell), &self.place(local))
             }
             _ => self.rare(cell, local).0,
         }
@@ -129,15 +116,9 @@ impl Grid<'_> {
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
         let (value, slopes) = match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                tricubic_and_derivatives(&corners.jets(), local)
-            }
+            (1, Reconstruction::Hermite) => tricubic_and_derivatives(&self.first_order(cell).jets(), local),
             (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                first_order_value_and_slopes(&corners, &self.place(local))
+                first_order_value_and_slopes(&self.first_order(cell), &self.place(local))
             }
             _ => self.rare(cell, local),
         };
