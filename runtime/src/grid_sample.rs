@@ -17,7 +17,7 @@ pub(crate) struct FirstOrder {
 }
 
 impl FirstOrder {
-    const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
+    pub(crate) const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
 
     /// The polynomial of a corner at an offset from it, its slope times a share.
     #[inline]
@@ -91,20 +91,19 @@ impl Grid<'_> {
         decode_distance(self.base(at), code, self.quantum)
     }
 
-    /// The samples at the corners of a cell of a grid of order 1, derivatives by local coordinates.
+    /// Writes the samples at the corners of a cell of a grid of order 1, derivatives by local coordinates. Returned by
+    /// value they would lie twice on the stack of a microcontroller.
     #[inline]
-    pub(crate) fn first_order(&self, cell: [u32; 3]) -> FirstOrder {
-        let mut corners = FirstOrder::ZERO;
+    pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
             let [x, y, z] = self.spacing();
-            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], &mut corners);
+            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], corners);
         } else {
-            self.read_wide_first_order(cell, &mut corners);
+            self.read_wide_first_order(cell, corners);
         }
-        corners
     }
 
-    /// Writes samples of several words.
+    /// The same of samples of several words.
     #[inline(never)]
     fn read_wide_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         for corner in 0..8 {

@@ -99,9 +99,15 @@ impl Grid<'_> {
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
         match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => tricubic(&self.first_order(cell).jets(), local),
+            (1, Reconstruction::Hermite) => {
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                tricubic(&corners.jets(), local)
+            }
             (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                first_order_value(&self.first_order(cell), &self.place(local))
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                first_order_value(&corners, &self.place(local))
             }
             _ => self.rare(cell, local).0,
         }
@@ -116,9 +122,15 @@ impl Grid<'_> {
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
         let (value, slopes) = match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => tricubic_and_derivatives(&self.first_order(cell).jets(), local),
+            (1, Reconstruction::Hermite) => {
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                tricubic_and_derivatives(&corners.jets(), local)
+            }
             (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                first_order_value_and_slopes(&self.first_order(cell), &self.place(local))
+                let mut corners = FirstOrder::ZERO;
+                self.read_first_order(cell, &mut corners);
+                first_order_value_and_slopes(&corners, &self.place(local))
             }
             _ => self.rare(cell, local),
         };
