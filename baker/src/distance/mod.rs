@@ -24,7 +24,9 @@ mod winding;
 pub use choose::SignDecision;
 
 use crate::field_function::{FieldFunction, Sample};
+use crate::geometry::Aabb;
 use crate::mesh::CheckedMesh;
+use crate::morton;
 use bvh_nearest::{Finder, Nearest};
 use glam::DVec3;
 use local_mesh::LocalMesh;
@@ -32,10 +34,11 @@ use neighbours::nearest_of_each;
 use pseudonormal::Pseudonormals;
 use ray_tree::RayTree;
 use rayon::prelude::*;
-use sign::Signs;
+use sign::{Memory, Signs};
 
-/// Points that one task samples in turn. It bears on speed alone.
-const CHUNK: usize = 1024;
+/// Points that one task samples in turn: rows of a lattice and cells of an octree, enough of them to lie close together.
+/// It bears on speed alone.
+const CHUNK: usize = 4096;
 /// Closer to the surface than this fraction of the mesh's longest side, the gradient is the
 /// pseudonormal: the direction to the closest point drowns in its rounding.
 const ON_SURFACE: f64 = 1e-9;
@@ -127,15 +130,22 @@ impl SignedDistance {
         self_intersection::count(&self.finder, &RayTree::new(&self.finder, 0))
     }
 
-    /// Samples points, best each near the one before.
+    /// How many closed pieces have their outer side inside others, where no open piece confuses it: shells within shells
+    /// that face the same way.
+    pub fn count_nested_shells(&self, mesh: &CheckedMesh) -> usize {
+        choose::count_nested_shells(mesh, &self.finder, &RayTree::new(&self.finder, 0))
+    }
+
+    /// Samples points, neighbours in space one after the other.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
         let local = |&point| Some(self.finder.mesh.frame.to_local(point)).filter(|p| p.is_finite());
-        let searched: Vec<DVec3> = points.iter().map(|point| local(point).unwrap_or_default()).collect();
-        let mut last = None;
+        let order = along_curve(points.iter().map(|point| local(point).unwrap_or_default()));
+        let searched: Vec<DVec3> = order.iter().map(|(_, point)| *point).collect();
+        let mut memory = Memory::default();
         nearest_of_each(&self.finder, &searched, |k, nearest| {
-            let is_inside = self.is_inside(searched[k], nearest, last);
-            last = Some(Judged { point: searched[k], distance: nearest.closest.distance_squared.sqrt(), is_inside });
-            samples[k] = self.signed(searched[k], nearest, is_inside);
+            let (place, point) = order[k];
+            let is_inside = self.signs.is_inside(&self.finder, &self.pseudonormals, point, nearest, &mut memory);
+            samples[place] = self.signed(point, nearest, is_inside);
         });
         for (sample, point) in samples.iter_mut().zip(points) {
             if local(point).is_none() {
@@ -156,28 +166,18 @@ impl SignedDistance {
         };
         Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance) - self.half_thickness, gradient }
     }
-
-    /// Whether a point is inside. The one that was judged before it may save the work: no surface is
-    /// between two points of which one is farther from all surfaces than from the other.
-    fn is_inside(&self, local: DVec3, nearest: Nearest, last: Option<Judged>) -> bool {
-        /// Distances are right to rounding.
-        const SURELY: f64 = 0.999_999;
-        let reach = |last: &Judged| SURELY * last.distance.max(nearest.closest.distance_squared.sqrt());
-        match last {
-            Some(last) if self.signs.changes_on_the_surface_alone() && local.distance(last.point) < reach(&last) => {
-                last.is_inside
-            }
-            _ => self.signs.is_inside(&self.finder, &self.pseudonormals, local, nearest),
-        }
-    }
 }
 
-/// A point whose sign is known.
-#[derive(Clone, Copy)]
-struct Judged {
-    point: DVec3,
-    distance: f64,
-    is_inside: bool,
+/// Points with their places, in the order of a curve that fills their box: blocks share more than rows do.
+fn along_curve(points: impl Iterator<Item = DVec3>) -> Vec<(usize, DVec3)> {
+    /// Steps of the curve along the longest side.
+    const STEPS: f64 = 1024.0;
+    let mut order: Vec<(usize, DVec3)> = points.enumerate().collect();
+    let bounds = Aabb::around(order.iter().map(|(_, point)| *point));
+    let scale = (STEPS - 1.0) / bounds.size().max_element().max(f64::MIN_POSITIVE);
+    // Stable, and by the point alone: copies stay in their order.
+    order.sort_by_cached_key(|(_, point)| morton::encode(((*point - bounds.min) * scale).as_uvec3()));
+    order
 }
 
 fn find_in(mesh: &CheckedMesh) -> Finder {
