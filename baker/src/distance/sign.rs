@@ -66,7 +66,8 @@ impl OpenSurface {
         number.abs()
     }
 
-    /// How much a number may be off.
+    /// How much a number may be off: a loop of the rim counts as a dipole from eight radii on (under 0.001), and what
+    /// single precision keeps is right to some 0.002; dipoles of the tree were measured to err by up to 0.026.
     fn number_error(&self) -> f64 {
         match self.winding {
             Winding::Exact(_) => 0.004,
@@ -89,22 +90,7 @@ const OUTSIDE: Quarter = 0;
 const INSIDE: Quarter = 3;
 
 fn quarter_of(number: f64) -> Quarter {
-    match number {
-        number if DOUBTFUL.contains(&number) => {
-            if number > 0.5 {
-                2
-            } else {
-                1
-            }
-        }
-        number => {
-            if number > 0.5 {
-                INSIDE
-            } else {
-                OUTSIDE
-            }
-        }
-    }
+    usize::from(number >= DOUBTFUL.start) + usize::from(number > 0.5) + usize::from(number >= DOUBTFUL.end)
 }
 
 /// A point whose winding number, or what stands for it, is known.
