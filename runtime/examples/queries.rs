@@ -40,8 +40,8 @@ fn main() -> ExitCode {
             return ExitCode::FAILURE;
         }
         "unblended" => {
-            let octree = field.polynomial_octree();
-            every(&scattered(&field, count), |point| octree.and_then(|octree| octree.unblended(point)));
+            let octree = field.polynomial_octree().expect("an octree of polynomials");
+            every(&scattered(&field, count), |point| octree.unblended(point));
         }
         _ => {
             let points = if kind.starts_with("centre") { centres(&field, count) } else { rows(&field, count) };

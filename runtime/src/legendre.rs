@@ -45,17 +45,25 @@ impl Coefficients {
     /// Value at a point, which may lie a little beyond the cube, in steps; and the derivatives by x, y and z if they are
     /// asked for. Asking changes no bit of the value.
     #[inline]
-    pub(crate) fn evaluate(&self, degree: u32, point: &Lanes, with_slope: bool, slope: &mut Lanes) -> f32 {
-        let mut parts = [0.0; 4];
+    pub(crate) fn evaluate(
+        &self,
+        degree: u32,
+        point: &Lanes,
+        with_slope: bool,
+        parts: &mut Lanes,
+        slope: &mut Lanes,
+    ) -> f32 {
+        let mut constant = self.constant;
         match degree {
-            0 => *slope = [0.0; 4],
-            1 => self.first(point, &mut parts, slope),
-            2 => self.second(point, with_slope, &mut parts, slope),
-            _ => self.third(point, with_slope, &mut parts, slope),
+            0 => (*parts, *slope) = ([0.0; 4], [0.0; 4]),
+            1 => self.first(point, parts, slope),
+            2 => self.second(point, with_slope, parts, slope),
+            _ => {
+                self.third(point, with_slope, parts, slope);
+                constant += self.product * (point[0] * point[1] * point[2]);
+            }
         }
-        let [a, b, c, _] = parts;
-        let constant =
-            if degree < 3 { self.constant } else { self.constant + self.product * (point[0] * point[1] * point[2]) };
+        let [a, b, c, _] = *parts;
         constant + ((a + b) + c)
     }
 
