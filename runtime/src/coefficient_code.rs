@@ -66,6 +66,12 @@ impl Codes {
         &CODES[width as usize & 15]
     }
 
+    /// The number whose code is in the lowest bits.
+    #[inline]
+    pub(crate) fn one(&self, bits: u64) -> f32 {
+        (bits as u32 & self.mask[0]).wrapping_sub(self.zero[0]).cast_signed() as f32
+    }
+
     /// Three numbers whose codes are in the lowest bits. The last lane is not of use: four alike make better code.
     #[inline]
     pub(crate) fn three(&self, bits: u64, numbers: &mut Lanes) {

@@ -31,13 +31,13 @@ pub(crate) struct Coefficients {
 
 /// Lanes moved to the axis after their own.
 #[inline]
-fn moved_on([x, y, z, other]: Lanes) -> Lanes {
+pub(crate) fn moved_on([x, y, z, other]: Lanes) -> Lanes {
     [z, x, y, other]
 }
 
 /// Lanes moved to the axis before their own.
 #[inline]
-fn moved_back([x, y, z, other]: Lanes) -> Lanes {
+pub(crate) fn moved_back([x, y, z, other]: Lanes) -> Lanes {
     [y, z, x, other]
 }
 
@@ -70,7 +70,7 @@ impl Coefficients {
     // What the terms but the constant and the product add up to: parts of the value, and derivatives. The functions that
     // are never inlined stay apart and end in memory, as those of `hermite` do, for the sake of four-wide code.
 
-    #[inline]
+    #[inline(never)]
     fn first(&self, point: &Lanes, parts: &mut Lanes, slope: &mut Lanes) {
         for lane in ALL {
             parts[lane] = self.linear[lane] * point[lane];

@@ -66,16 +66,6 @@ impl Shape {
         ((self.0 >> (8 * shape::WIDTHS.start)) as u32).to_le_bytes()
     }
 
-    /// Makes the answer of polynomial A that of B if the leaf takes that.
-    #[inline(never)]
-    fn choose(self, second: &Coefficients, question: &Question, answer: &mut Answer) {
-        let mut other = Answer::default();
-        other.take(second, self.degree(1), question);
-        if self.prefers(other.value, answer.value) {
-            *answer = other;
-        }
-    }
-
     /// Whether it takes polynomial B for its value rather than that of A.
     #[inline]
     fn prefers(self, second: f32, first: f32) -> bool {
@@ -99,8 +89,6 @@ pub(crate) struct Question {
 pub(crate) struct Answer {
     pub(crate) value: f32,
     pub(crate) gradient: Lanes,
-    /// What the terms of each axis add up to.
-    pub(crate) parts: Lanes,
 }
 
 impl Answer {
@@ -112,9 +100,19 @@ impl Answer {
 
     /// Becomes what a polynomial answers, in steps.
     #[inline]
-    fn take(&mut self, polynomial: &Coefficients, degree: u32, question: &Question) {
+    fn take(&mut self, polynomial: &Coefficients, degree: u32, question: &Question, parts: &mut Lanes) {
         let Question { local, with_gradient, .. } = question;
-        self.value = polynomial.evaluate(degree, local, *with_gradient, &mut self.parts, &mut self.gradient);
+        self.value = polynomial.evaluate(degree, local, *with_gradient, parts, &mut self.gradient);
+    }
+
+    /// Becomes that of polynomial B if the leaf takes that.
+    #[inline(never)]
+    fn choose(&mut self, shape: Shape, second: &Coefficients, question: &Question, parts: &mut Lanes) {
+        let mut other = Answer::default();
+        other.take(second, shape.degree(1), question, parts);
+        if shape.prefers(other.value, self.value) {
+            *self = other;
+        }
     }
 
     /// From steps to mesh units.
@@ -137,21 +135,31 @@ pub(crate) struct Polynomials {
 }
 
 impl Polynomials {
-    #[inline]
     pub(crate) fn evaluate(&self, question: &Question, answer: &mut Answer) {
-        answer.take(&self.first, self.shape.degree(0), question);
+        let mut parts = Lanes::default();
+        answer.take(&self.first, self.shape.degree(0), question, &mut parts);
         if !self.shape.is_single() {
-            self.shape.choose(&self.second, question, answer);
+            answer.choose(self.shape, &self.second, question, &mut parts);
         }
         answer.scale(self.step, question.per_half);
     }
+}
+
+/// What leaves are evaluated in, one after the other: its contents are of no use afterwards.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Workspace {
+    coefficients: Coefficients,
+    /// What the terms of a polynomial add up to, axis by axis.
+    parts: Lanes,
 }
 
 impl<'a> Bits<'a> {
     /// The leaf at a byte of the section of leaves.
     #[inline]
     pub(crate) fn at(octree: &PolynomialOctree<'a>, place: u32) -> Self {
-        let window = octree.leaves.get(place as usize..).and_then(<[u8]>::first_chunk).unwrap_or(NOTHING);
+        let place = place as usize;
+        let window = octree.leaves.get(place..place.saturating_add(leaf::PADDING));
+        let window = window.and_then(|window| window.try_into().ok()).unwrap_or(NOTHING);
         let head = load(window, 0);
         let shape = octree.shapes.get((head as u32 & octree.shape_mask) as usize).copied().unwrap_or_default();
         Self { window, head, shape: Shape::new(shape) }
@@ -184,28 +192,41 @@ impl<'a> Bits<'a> {
 
     /// What the leaf answers.
     #[inline]
-    pub(crate) fn evaluate(&self, octree: &PolynomialOctree<'_>, question: &Question, answer: &mut Answer) {
-        let at = self.evaluate_one(self.shape.degree(0), octree.header_bits.into(), question, answer);
+    pub(crate) fn evaluate(
+        &self,
+        octree: &PolynomialOctree<'_>,
+        question: &Question,
+        workspace: &mut Workspace,
+        answer: &mut Answer,
+    ) {
+        let at = self.evaluate_one(self.shape.degree(0), octree.header_bits.into(), question, workspace, answer);
         if !self.shape.is_single() {
-            self.choose(at, question, answer);
+            self.choose(at, question, workspace, answer);
         }
         answer.scale(octree.quantum * self.shape.factor(), question.per_half);
     }
 
     /// What a polynomial answers, in steps, which starts at a bit; returns the bit after it.
     #[inline(never)]
-    fn evaluate_one(&self, degree: u32, at: u32, question: &Question, answer: &mut Answer) -> u32 {
-        let mut coefficients = Coefficients::default();
-        let at = self.read(degree, at, &mut coefficients);
-        answer.take(&coefficients, degree, question);
+    fn evaluate_one(
+        &self,
+        degree: u32,
+        at: u32,
+        question: &Question,
+        workspace: &mut Workspace,
+        answer: &mut Answer,
+    ) -> u32 {
+        let Workspace { coefficients, parts } = workspace;
+        let at = self.read(degree, at, coefficients);
+        answer.take(coefficients, degree, question, parts);
         at
     }
 
     /// Makes the answer of polynomial A that of B, which starts at a bit, if the leaf takes that.
     #[inline(never)]
-    fn choose(&self, at: u32, question: &Question, answer: &mut Answer) {
+    fn choose(&self, at: u32, question: &Question, workspace: &mut Workspace, answer: &mut Answer) {
         let mut other = Answer::default();
-        self.evaluate_one(self.shape.degree(1), at, question, &mut other);
+        self.evaluate_one(self.shape.degree(1), at, question, workspace, &mut other);
         if self.shape.prefers(other.value, answer.value) {
             *answer = other;
         }
@@ -224,20 +245,22 @@ impl<'a> Bits<'a> {
 
     /// Writes the coefficients of a polynomial, which starts at a bit; returns the bit after it. Never
     /// inlined, for the coefficients to be in memory: that makes four-wide code.
-    #[inline(never)]
+    #[inline(always)]
     fn read(&self, degree: u32, at: u32, coefficients: &mut Coefficients) -> u32 {
         if !are_narrow(self.shape.widths()) {
             return self.read_wide(degree, at, coefficients);
         }
         let width = self.shape.width(0);
-        coefficients.constant = number(width, load(self.window, at));
+        let bits = load(self.window, at);
+        coefficients.constant = number(width, bits);
         let at = at + width;
         if degree == 0 {
             return at;
         }
 
+        let bits = bits >> width;
         let width = self.shape.width(1) & 15;
-        Codes::of(width).three(load(self.window, at), &mut coefficients.linear);
+        Codes::of(width).three(bits, &mut coefficients.linear);
         let at = at + 3 * width;
         if degree == 1 {
             return at;
@@ -259,7 +282,7 @@ impl<'a> Bits<'a> {
         codes.three(bits, &mut coefficients.cube);
         codes.three(bits >> (3 * width), &mut coefficients.next);
         codes.three(bits >> (6 * width), &mut coefficients.previous);
-        coefficients.product = number(width, bits >> (9 * width));
+        coefficients.product = codes.one(bits >> (9 * width));
         at + 10 * width
     }
 
