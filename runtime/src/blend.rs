@@ -340,7 +340,7 @@ fn look(
         let low = cell[lane] & align;
         let part = (position[lane] - low.cast_signed() as f32) * per_half - 1.0;
         local[lane] = part;
-        let next = if part > 0.0 { low + edge } else { low.wrapping_sub(1) };
+        let next = if part > 0.0 { low.wrapping_add(edge) } else { low.wrapping_sub(1) };
         sides.cell[lane] = next;
         let next = next.cast_signed() as f32;
         let is_near = (part.abs() > within) & (next >= 0.0) & (next < extent[lane]);

@@ -57,14 +57,23 @@ pub(crate) struct Place {
     pub(crate) path: Path,
 }
 
-/// A leaf that has been read, and the last place in it.
+/// The last place that was asked about, and what is known of its leaf.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Visit {
-    /// Whether there has been one.
-    is_some: bool,
+    known: Known,
     place: Place,
     codes: OverlapCodes,
     polynomials: Polynomials,
+}
+
+/// What is known of a leaf. Its polynomials are not read until a second query asks for them: reading and evaluating at
+/// once is faster.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Known {
+    #[default]
+    Nothing,
+    Place,
+    Polynomials,
 }
 
 /// How far the supports of others reach into a leaf, by its reach code: in overlaps, where half an edge of the leaf is 1.
@@ -295,19 +304,28 @@ impl<'a> PolynomialOctree<'a> {
     /// The same from the last visit, which it changes.
     #[inline(never)]
     pub(crate) fn query_from(&self, point: [f32; 3], with_gradient: bool, visit: &mut Visit) -> Answer {
-        let last = visit.place.cell;
-        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell, &mut [0; 4]);
-        let [x, y, z, _] = visit.place.cell;
+        let Visit { known, place, codes, polynomials } = visit;
+        let last = place.cell;
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
+        let [x, y, z, _] = place.cell;
         let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
-        if !visit.is_some || different >> visit.place.shift != 0 {
-            self.find(&mut visit.place);
-            let bits = Bits::at(self, visit.place.leaf);
-            visit.codes = bits.overlap_codes(self);
-            bits.decode(self, &mut visit.polynomials);
-            visit.is_some = true;
+        let is_same = *known != Known::Nothing && different >> place.shift == 0;
+        if !is_same {
+            self.find(place);
         }
-        self.answer(&visit.place, visit.codes, with_gradient, |question, _, answer| {
-            visit.polynomials.evaluate(question, answer);
+        let bits = Bits::at(self, place.leaf);
+        if !is_same {
+            (*known, *codes) = (Known::Place, bits.overlap_codes(self));
+        } else if *known == Known::Place {
+            bits.decode(self, polynomials);
+            *known = Known::Polynomials;
+        }
+        self.answer(place, *codes, with_gradient, |question, workspace, answer| {
+            if *known == Known::Polynomials {
+                polynomials.evaluate(question, answer);
+            } else {
+                bits.evaluate(self, question, workspace, answer);
+            }
         })
     }
 

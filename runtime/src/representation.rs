@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, Family};
 use crate::octree::Octree;
-use crate::polynomial_octree::PolynomialOctree;
+use crate::polynomial_octree::{PolynomialOctree, Visit};
 use crate::{validate, validate_grid, validate_polynomial};
 
 /// What a [`Field`](crate::Field) is made of: an [`Octree`], a [`PolynomialOctree`], a
@@ -229,6 +229,20 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
     #[inline]
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         self.query(point, true).split()
+    }
+
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        let mut visit = Visit::default();
+        for (&point, value) in points.iter().zip(values) {
+            *value = self.query_from(point, false, &mut visit).value;
+        }
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        let mut visit = Visit::default();
+        for (&point, (value, gradient)) in points.iter().zip(values.iter_mut().zip(gradients)) {
+            (*value, *gradient) = self.query_from(point, true, &mut visit).split();
+        }
     }
 
     #[inline]
