@@ -8,7 +8,8 @@ use std::process::ExitCode;
 use nearfield::Field;
 
 const KINDS: &str = "distance, gradient, unblended, row-distance, row-gradient, cursor-distance, cursor-gradient, \
-                     centre-distance, centre-gradient";
+                     centre-distance, centre-gradient, batch-distance, batch-gradient, row-batch-distance, \
+                     row-batch-gradient";
 
 /// Points of a row across the box, and of a walk about the middle of a leaf.
 const ROW: usize = 1000;
@@ -35,13 +36,17 @@ fn main() -> ExitCode {
         "gradient" => every(&scattered(&field, count), |point| field.distance_and_gradient(point)),
         "row-distance" => every(&rows(&field, count), |point| field.distance(point)),
         "row-gradient" => every(&rows(&field, count), |point| field.distance_and_gradient(point)),
+        "batch-distance" => batch(&field, &scattered(&field, count), false),
+        "batch-gradient" => batch(&field, &scattered(&field, count), true),
+        "row-batch-distance" => batch(&field, &rows(&field, count), false),
+        "row-batch-gradient" => batch(&field, &rows(&field, count), true),
         "unblended" | "centre-distance" | "centre-gradient" if field.polynomial_octree().is_none() => {
             eprintln!("{kind} asks for an octree of polynomials");
             return ExitCode::FAILURE;
         }
         "unblended" => {
-            let octree = field.polynomial_octree();
-            every(&scattered(&field, count), |point| octree.and_then(|octree| octree.unblended(point)));
+            let octree = field.polynomial_octree().expect("an octree of polynomials");
+            every(&scattered(&field, count), |point| octree.unblended(point));
         }
         _ => {
             let points = if kind.starts_with("centre") { centres(&field, count) } else { rows(&field, count) };
@@ -57,6 +62,18 @@ fn main() -> ExitCode {
         }
     }
     ExitCode::SUCCESS
+}
+
+/// All points in one call.
+fn batch(field: &Field<'_>, points: &[[f32; 3]], with_gradient: bool) {
+    let (mut distances, mut gradients) = (vec![0.0; points.len()], vec![[0.0; 3]; points.len()]);
+    every(&[[0.0; 3]], |_| {
+        if with_gradient {
+            field.distances_and_gradients(points, &mut distances, &mut gradients)
+        } else {
+            field.distances(points, &mut distances)
+        }
+    });
 }
 
 /// What is counted: the queries and their loop.

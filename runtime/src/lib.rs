@@ -51,6 +51,7 @@ struct Guide;
 
 mod bytes;
 mod checksum;
+mod coefficient_code;
 mod cursor;
 mod error;
 mod field;
