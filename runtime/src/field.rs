@@ -145,28 +145,55 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         beyond.map_or(answer, |beyond| beyond.answer(answer.0))
     }
 
-    /// [`distance`](Self::distance) at each point. Stops at the shorter slice; returns how many
-    /// distances it wrote.
+    /// [`distance`](Self::distance) at each point, to the bit, and faster than one by one. Stops at the shorter slice;
+    /// returns how many distances it wrote.
     pub fn distances(&self, points: &[[f32; 3]], distances: &mut [f32]) -> usize {
-        for (&point, distance) in points.iter().zip(&mut *distances) {
-            *distance = self.distance(point);
+        let count = points.len().min(distances.len());
+        let mut done = 0;
+        while let (Some(points), Some(distances)) = (points.get(done..count), distances.get_mut(done..count))
+            && let (Some(&first), Some(distance)) = (points.first(), distances.first_mut())
+        {
+            let inside = self.run_inside(points);
+            if inside.is_empty() {
+                *distance = self.distance(first);
+            } else {
+                self.shape.values(inside, distances);
+            }
+            done += inside.len().max(1);
         }
-        points.len().min(distances.len())
+        count
     }
 
-    /// [`distance_and_gradient`](Self::distance_and_gradient) at each point. Stops at the shortest
-    /// slice; returns how many answers it wrote.
+    /// [`distance_and_gradient`](Self::distance_and_gradient) at each point, to the bit, and faster than one by one. Stops
+    /// at the shortest slice; returns how many answers it wrote.
     pub fn distances_and_gradients(
         &self,
         points: &[[f32; 3]],
         distances: &mut [f32],
         gradients: &mut [[f32; 3]],
     ) -> usize {
-        let answers = distances.iter_mut().zip(&mut *gradients);
-        for (&point, (distance, gradient)) in points.iter().zip(answers) {
-            (*distance, *gradient) = self.distance_and_gradient(point);
+        let count = points.len().min(distances.len()).min(gradients.len());
+        let mut done = 0;
+        while let (Some(points), Some(distances), Some(gradients)) =
+            (points.get(done..count), distances.get_mut(done..count), gradients.get_mut(done..count))
+            && let (Some(&first), Some(distance), Some(gradient)) =
+                (points.first(), distances.first_mut(), gradients.first_mut())
+        {
+            let inside = self.run_inside(points);
+            if inside.is_empty() {
+                (*distance, *gradient) = self.distance_and_gradient(first);
+            } else {
+                self.shape.evaluate_each(inside, distances, gradients);
+            }
+            done += inside.len().max(1);
         }
-        points.len().min(distances.len()).min(gradients.len())
+        count
+    }
+
+    /// The points up to the first that is not in the box.
+    fn run_inside<'p>(&self, points: &'p [[f32; 3]]) -> &'p [[f32; 3]] {
+        let end = points.iter().position(|&point| !self.shape.contains(point));
+        end.and_then(|end| points.get(..end)).unwrap_or(points)
     }
 
     /// A cursor, which answers queries that are near one another faster.

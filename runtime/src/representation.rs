@@ -30,6 +30,20 @@ pub trait Shape<'a>: Copy {
     /// Value and gradient at a point of the box.
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]);
 
+    /// Value at each of the points of the box, of which there are no more than `values`, to the bit that of [`value`](Self::value).
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        for (&point, value) in points.iter().zip(values) {
+            *value = self.value(point);
+        }
+    }
+
+    /// Value and gradient at each of the points of the box, of which there are no more than of either, to the bit those of [`evaluate`](Self::evaluate).
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        for (&point, (value, gradient)) in points.iter().zip(values.iter_mut().zip(gradients)) {
+            (*value, *gradient) = self.evaluate(point);
+        }
+    }
+
     /// Which it is, where it lies. Known to the compiler for all but [`Any`].
     fn kind(&self) -> Kind<'_, 'a>;
 }
@@ -100,6 +114,22 @@ impl<'a> Shape<'a> for Any<'a> {
             Self::Grid(grid) => Shape::evaluate(grid, point),
             Self::Octree(octree) => Shape::evaluate(octree, point),
             Self::Polynomial(octree) => Shape::evaluate(octree, point),
+        }
+    }
+
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        match self {
+            Self::Grid(grid) => grid.values(points, values),
+            Self::Octree(octree) => octree.values(points, values),
+            Self::Polynomial(octree) => octree.values(points, values),
+        }
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        match self {
+            Self::Grid(grid) => grid.evaluate_each(points, values, gradients),
+            Self::Octree(octree) => octree.evaluate_each(points, values, gradients),
+            Self::Polynomial(octree) => octree.evaluate_each(points, values, gradients),
         }
     }
 
