@@ -7,8 +7,8 @@ use std::process::ExitCode;
 
 use nearfield::Field;
 
-const KINDS: &str = "distance, gradient, unblended, row-distance, row-gradient, cursor-distance, cursor-gradient, \
-                     centre-distance, centre-gradient";
+const KINDS: &str = "distance, gradient, batch-distance, batch-gradient, unblended, row-distance, row-gradient, \
+                     cursor-distance, cursor-gradient, centre-distance, centre-gradient";
 
 /// Points of a row across the box, and of a walk about the middle of a leaf.
 const ROW: usize = 1000;
@@ -33,6 +33,14 @@ fn main() -> ExitCode {
     match kind.as_str() {
         "distance" => every(&scattered(&field, count), |point| field.distance(point)),
         "gradient" => every(&scattered(&field, count), |point| field.distance_and_gradient(point)),
+        "batch-distance" => {
+            let points = scattered(&field, count);
+            batch(&field, &points, &mut vec![0.0; points.len()]);
+        }
+        "batch-gradient" => {
+            let points = scattered(&field, count);
+            batch_with_gradients(&field, &points, &mut vec![0.0; points.len()], &mut vec![[0.0; 3]; points.len()]);
+        }
         "row-distance" => every(&rows(&field, count), |point| field.distance(point)),
         "row-gradient" => every(&rows(&field, count), |point| field.distance_and_gradient(point)),
         "unblended" | "centre-distance" | "centre-gradient" if field.polynomial_octree().is_none() => {
@@ -65,6 +73,18 @@ fn every<T>(points: &[[f32; 3]], mut query: impl FnMut([f32; 3]) -> T) {
     for &point in points {
         black_box(query(black_box(point)));
     }
+}
+
+/// The same of a batch, which `--toggle-collect='*queries*batch*'` counts.
+#[inline(never)]
+fn batch(field: &Field<'_>, points: &[[f32; 3]], distances: &mut [f32]) {
+    black_box(field.distances(black_box(points), black_box(distances)));
+}
+
+/// The same with gradients.
+#[inline(never)]
+fn batch_with_gradients(field: &Field<'_>, points: &[[f32; 3]], distances: &mut [f32], gradients: &mut [[f32; 3]]) {
+    black_box(field.distances_and_gradients(black_box(points), black_box(distances), black_box(gradients)));
 }
 
 /// The same numbers from 0 to 1 on any machine (Steele, Lea and Flood 2014).
