@@ -81,10 +81,11 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
-            let at = Self::corner(cell, corner);
-            self.lone_distance(at)
-        })
+        let mut distances = Corners::default();
+        for (corner, distance) in distances.iter_mut().enumerate() {
+            *distance = self.lone_distance(Self::corner(cell, corner as u32));
+        }
+        distances
     }
 
     /// The distance of a sample of order 0.

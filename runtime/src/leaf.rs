@@ -93,7 +93,7 @@ impl<'a> Octree<'a> {
     }
 
     /// Value between the corners of a leaf.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value_between(&self, jets: &Jets, local: [f32; 3]) -> f32 {
         match self.interpolant() {
             Interpolant::Tricubic => hermite::tricubic(jets, local),
@@ -102,7 +102,7 @@ impl<'a> Octree<'a> {
     }
 
     /// Value and gradient between the corners of a leaf.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn evaluate_between(&self, leaf: &Leaf, jets: &Jets, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
             Interpolant::Tricubic => hermite::tricubic_and_derivatives(jets, local),

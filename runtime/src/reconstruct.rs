@@ -95,7 +95,7 @@ struct Answers {
 
 impl Grid<'_> {
     /// Value at local coordinates of a cell, 0 to 1 along each axis; mesh units.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
         match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear(&self.distances(cell), local),
@@ -112,7 +112,7 @@ impl Grid<'_> {
     /// Value and gradient at local coordinates, 0 to 1 along each axis, of the cell above a sample.
     ///
     /// The value is in mesh units, the gradient without unit. Cells beyond the last count as it.
-    #[inline]
+    #[inline(never)]
     pub fn evaluate(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let last = self.resolution();
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
@@ -130,7 +130,7 @@ impl Grid<'_> {
     }
 
     /// Value between first-order samples.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value_between(&self, corners: &FirstOrder, local: [f32; 3]) -> f32 {
         match self.reconstruction() {
             Reconstruction::Hermite => tricubic(&corners.jets(), local),
@@ -139,7 +139,7 @@ impl Grid<'_> {
     }
 
     /// Value and derivatives by local coordinates between first-order samples.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value_and_slopes_between(&self, corners: &FirstOrder, local: [f32; 3]) -> (f32, [f32; 3]) {
         match self.reconstruction() {
             Reconstruction::Hermite => tricubic_and_derivatives(&corners.jets(), local),
