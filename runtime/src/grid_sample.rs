@@ -10,6 +10,13 @@ use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single
 const SECOND_FIRST: usize = 4;
 const THIRD_FIRST: usize = 10;
 
+/// Packed first-order samples at the corners of a cell, as they are in the file.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct PackedCorners {
+    words: [u32; 8],
+    bases: [i32; 8],
+}
+
 /// First-order samples at the corners of a cell: distances, and derivatives by the local x, y, z.
 pub(crate) struct FirstOrder {
     pub(crate) distance: Corners,
@@ -74,16 +81,17 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
-            let at = Self::corner(cell, corner);
-            self.lone_distance(at)
-        })
+        let mut distances = Corners::default();
+        for (corner, distance) in distances.iter_mut().enumerate() {
+            *distance = self.lone_distance(Self::corner(cell, corner as u32));
+        }
+        distances
     }
 
     /// The distance of a sample of order 0.
     #[inline]
     fn lone_distance(&self, at: [u32; 3]) -> f32 {
-        let index = self.index(at);
+        let (index, _) = self.index(at);
         if self.precision == GridPrecision::F32 {
             return decode_single(self.samples.word(index));
         }
@@ -96,10 +104,33 @@ impl Grid<'_> {
     #[inline]
     pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
-            let [x, y, z] = self.spacing();
-            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], corners);
+            let mut packed = PackedCorners::default();
+            self.read_packed(cell, &mut packed);
+            self.decode(&packed, corners);
         } else {
             self.read_wide_first_order(cell, corners);
+        }
+    }
+
+    /// The same of samples that were read before.
+    #[inline]
+    pub(crate) fn decode(&self, PackedCorners { words, bases }: &PackedCorners, corners: &mut FirstOrder) {
+        let [x, y, z] = self.spacing();
+        decode_packed(words, bases, &[x, y, z, self.quantum], corners);
+    }
+
+    /// Reads the packed samples at the corners of a cell of a grid of order 1.
+    #[inline]
+    pub(crate) fn read_packed(&self, cell: [u32; 3], PackedCorners { words, bases }: &mut PackedCorners) {
+        *words = self.corner_words(cell);
+        if !self.has_brick_ranges() {
+            *bases = [self.base([0; 3]); 8];
+            return;
+        }
+        let (first, [x, y, z]) = self.bricks_of(cell);
+        for (corner, base) in bases.iter_mut().enumerate() {
+            let step = |bit: usize, step: usize| if corner >> bit & 1 == 1 { step } else { 0 };
+            *base = self.bases.word(first + step(2, x) + step(1, y) + step(0, z)).cast_signed();
         }
     }
 
@@ -120,26 +151,12 @@ impl Grid<'_> {
     /// The words at the corners of a cell, of samples of one word each.
     #[inline]
     fn corner_words(&self, cell: [u32; 3]) -> [u32; 8] {
-        let [nx, ny, _] = self.resolution();
-        let (row, layer) = (nx as usize, nx as usize * ny as usize);
-        let first = self.index(cell);
+        let (first, [row, layer]) = self.index(cell);
+        let near = [first, first + layer, first + row, first + layer + row];
         // Neighbours along x are neighbours in the section.
-        let [a, e] = self.samples.words(first);
-        let [c, g] = self.samples.words(first + row);
-        let [b, f] = self.samples.words(first + layer);
-        let [d, h] = self.samples.words(first + layer + row);
+        let [a, b, c, d] = near.map(|at| self.samples.word(at));
+        let [e, f, g, h] = near.map(|at| self.samples.word(at + 1));
         [a, b, c, d, e, f, g, h]
-    }
-
-    /// The base distances at the corners of a cell.
-    #[inline]
-    fn corner_bases(&self, cell: [u32; 3]) -> [i32; 8] {
-        if !self.has_brick_ranges() {
-            return [self.base([0; 3]); 8];
-        }
-        let (first, [x, y, z]) = self.bricks_of(cell);
-        [first, first + z, first + y, first + y + z, first + x, first + x + z, first + x + y, first + x + y + z]
-            .map(|brick| self.bases.word(brick).cast_signed())
     }
 
     /// The samples at the corners of a cell, of any order.
@@ -151,7 +168,7 @@ impl Grid<'_> {
     #[inline(never)]
     pub(crate) fn polynomial(&self, at: [u32; 3]) -> Polynomial {
         let mut numbers = [0.0; TERMS];
-        let index = self.index(at);
+        let (index, _) = self.index(at);
         let count = match self.order() {
             0 => {
                 numbers[0] = self.lone_distance(at);

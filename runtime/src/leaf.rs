@@ -72,7 +72,7 @@ fn ranks(mask: u32, bits: &[u32; 8], ranks: &mut [u32; 8]) {
     }
 }
 
-impl Octree<'_> {
+impl<'a> Octree<'a> {
     /// Value of a leaf at local coordinates, 0 to 1 along each axis; mesh units.
     #[inline]
     pub(crate) fn value(&self, leaf: &Leaf, local: [f32; 3]) -> f32 {
@@ -93,7 +93,7 @@ impl Octree<'_> {
     }
 
     /// Value between the corners of a leaf.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value_between(&self, jets: &Jets, local: [f32; 3]) -> f32 {
         match self.interpolant() {
             Interpolant::Tricubic => hermite::tricubic(jets, local),
@@ -102,7 +102,7 @@ impl Octree<'_> {
     }
 
     /// Value and gradient between the corners of a leaf.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn evaluate_between(&self, leaf: &Leaf, jets: &Jets, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
             Interpolant::Tricubic => hermite::tricubic_and_derivatives(jets, local),
@@ -115,16 +115,27 @@ impl Octree<'_> {
     /// Writes the jets at the corners of a leaf; of a trilinear one only the distances.
     #[inline]
     pub(crate) fn read_corners(&self, leaf: &Leaf, jets: &mut Jets) {
+        self.read_block(leaf, &self.block(leaf), jets);
+    }
+
+    /// The block of a leaf.
+    #[inline]
+    pub(crate) fn block(&self, leaf: &Leaf) -> Block<'a> {
+        Block::at(self.samples, leaf.place)
+    }
+
+    /// [`read_corners`](Self::read_corners) from the leaf's block.
+    #[inline]
+    pub(crate) fn read_block(&self, leaf: &Leaf, block: &Block<'_>, jets: &mut Jets) {
         match self.interpolant() {
-            Interpolant::Tricubic => self.read_jets(leaf, jets),
-            Interpolant::Trilinear => self.read_distances(leaf, jets),
+            Interpolant::Tricubic => self.read_jets(leaf, block, jets),
+            Interpolant::Trilinear => self.read_distances(leaf, block, jets),
         }
     }
 
     /// Writes the jets at the corners of a tricubic leaf.
     #[inline(never)]
-    fn read_jets(&self, leaf: &Leaf, jets: &mut Jets) {
-        let block = Block::at(self.samples, leaf.place);
+    fn read_jets(&self, leaf: &Leaf, block: &Block<'_>, jets: &mut Jets) {
         let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
         let sources = block.sources(leaf.octant);
         let mut places = [0; 8];
@@ -143,8 +154,7 @@ impl Octree<'_> {
     }
 
     /// Writes the distances at the corners of a trilinear leaf.
-    fn read_distances(&self, leaf: &Leaf, jets: &mut Jets) {
-        let block = Block::at(self.samples, leaf.place);
+    fn read_distances(&self, leaf: &Leaf, block: &Block<'_>, jets: &mut Jets) {
         let quantum = self.quantum(leaf.level);
         let mut places = [0; 8];
         ranks(block.present, &block.sources(leaf.octant), &mut places);

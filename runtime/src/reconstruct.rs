@@ -95,19 +95,15 @@ struct Answers {
 
 impl Grid<'_> {
     /// Value at local coordinates of a cell, 0 to 1 along each axis; mesh units.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
         match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => {
+            (1, Reconstruction::Nearest) => self.rare(cell, local).0,
+            (1, _) => {
                 let mut corners = FirstOrder::ZERO;
                 self.read_first_order(cell, &mut corners);
-                tricubic(&corners.jets(), local)
-            }
-            (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                first_order_value(&corners, &self.place(local))
+                self.value_between(&corners, local)
             }
             _ => self.rare(cell, local).0,
         }
@@ -116,32 +112,49 @@ impl Grid<'_> {
     /// Value and gradient at local coordinates, 0 to 1 along each axis, of the cell above a sample.
     ///
     /// The value is in mesh units, the gradient without unit. Cells beyond the last count as it.
-    #[inline]
+    #[inline(never)]
     pub fn evaluate(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let last = self.resolution();
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
         let (value, slopes) = match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => {
+            (1, Reconstruction::Nearest) => self.rare(cell, local),
+            (1, _) => {
                 let mut corners = FirstOrder::ZERO;
                 self.read_first_order(cell, &mut corners);
-                tricubic_and_derivatives(&corners.jets(), local)
-            }
-            (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                first_order_value_and_slopes(&corners, &self.place(local))
+                self.value_and_slopes_between(&corners, local)
             }
             _ => self.rare(cell, local),
         };
         (value, self.per_unit(slopes))
     }
 
+    /// Value between first-order samples.
+    #[inline(never)]
+    pub(crate) fn value_between(&self, corners: &FirstOrder, local: [f32; 3]) -> f32 {
+        match self.reconstruction() {
+            Reconstruction::Hermite => tricubic(&corners.jets(), local),
+            _ => first_order_value(corners, &self.place(local)),
+        }
+    }
+
+    /// Value and derivatives by local coordinates between first-order samples.
+    #[inline(never)]
+    pub(crate) fn value_and_slopes_between(&self, corners: &FirstOrder, local: [f32; 3]) -> (f32, [f32; 3]) {
+        match self.reconstruction() {
+            Reconstruction::Hermite => tricubic_and_derivatives(&corners.jets(), local),
+            _ => first_order_value_and_slopes(corners, &self.place(local)),
+        }
+    }
+
     /// What a first-order reconstruction makes of a point.
     #[inline]
     fn place(&self, local: [f32; 3]) -> Place {
         let [_, share, ..] = self.factors();
-        Place { local, weights: local.map(|t| Weights::new(self.smoothness(), t)), share }
+        let ([x, y, z], smoothness) = (local, self.smoothness());
+        // Each by its name: of an array compilers make a call.
+        let weights = [Weights::new(smoothness, x), Weights::new(smoothness, y), Weights::new(smoothness, z)];
+        Place { local, weights, share }
     }
 
     /// The reconstructions that are not built for speed.
