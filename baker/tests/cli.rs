@@ -258,6 +258,11 @@ fn usage_errors_end_with_2() {
     bench.run("bake cube.obj").fails(2, &["--output"]);
     bench.run("slice cube.nfd -o s.png --resolution 0").fails(2, &["--resolution"]);
     bench.run("slice cube.nfd -o s.png --at nowhere").fails(2, &["--at"]);
+    bench.run("slice cube.nfd -o s.png --normal 0,0,0").fails(2, &["--normal", "length"]);
+    bench.run("slice cube.nfd -o s.png --normal 1,0,0 --at 3").fails(2, &["--at", "--normal"]);
+    bench.run("slice cube.nfd -o s.png --origin 1,0,0").fails(2, &["--normal"]);
+    bench.run("slice cube.nfd -o s.png --error-map").fails(2, &["--mesh"]);
+    bench.run("render cube.nfd -o r.png --mesh-up z").fails(2, &["--mesh"]);
     bench.run("verify cube.nfd --mesh cube.obj --samples 10").fails(2, &["--samples"]);
     bench.run("bake cube.obj -o ./cube.obj").fails(2, &["overwrite"]);
     bench.run("bake cube.obj -o out --report out").fails(2, &["same place"]);
