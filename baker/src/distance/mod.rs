@@ -127,6 +127,12 @@ impl SignedDistance {
         self_intersection::count(&self.finder, &RayTree::new(&self.finder, 0))
     }
 
+    /// How many closed pieces have their outer side inside others, where no open piece confuses it: shells within shells
+    /// that face the same way.
+    pub fn count_nested_shells(&self, mesh: &CheckedMesh) -> usize {
+        choose::count_nested_shells(mesh, &self.finder, &RayTree::new(&self.finder, 0))
+    }
+
     /// Samples points, best each near the one before.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
         let local = |&point| Some(self.finder.mesh.frame.to_local(point)).filter(|p| p.is_finite());
