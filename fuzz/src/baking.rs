@@ -8,7 +8,7 @@ use nearfield_bake::distance::SignChoice;
 use nearfield_bake::import::TriangleSoup;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target, Termination};
 
 /// Fresh points a field is asked at.
 const POINTS: u32 = 128;
@@ -73,6 +73,7 @@ fn settings(numbers: &mut Numbers<'_>) -> Settings {
         layout: Layout::Octree,
         error: Target::Relative((f64::from(numbers.next()) + 1.0) / 2000.0),
         interpolant: [Interpolant::Trilinear, Interpolant::Tricubic][usize::from(numbers.below(2))],
+        termination: Termination::Trapezoid,
         continuity: [Continuity::None, Continuity::C0, Continuity::C1][usize::from(numbers.below(3))],
         precision: [Precision::Packed32, Precision::F16, Precision::F32][usize::from(numbers.below(3))],
         start_depth,
