@@ -109,8 +109,15 @@ fn no_face_of_the_test_set_jumps_by_more_than_rounding() {
         {
             for precision in [Precision::Packed32, Precision::F16, Precision::F32] {
                 let error = Target::Relative(2e-3);
-                let settings =
-                    Settings { error, interpolant, continuity, precision, max_depth: 7, samples: 1_000, ..Settings::default() };
+                let settings = Settings {
+                    error,
+                    interpolant,
+                    continuity,
+                    precision,
+                    max_depth: 7,
+                    samples: 1_000,
+                    ..Settings::default()
+                };
                 let baked = bake(&mesh, &settings, &Silent).expect("the mesh bakes");
                 let measured = baked.report.measurement.seams;
                 let bound = measured.bound.expect("an octree of interpolants");

@@ -27,8 +27,10 @@ pub(super) fn bound(coefficients: &[f64], domain: &Domain, grid: &GridSettings) 
     };
 
     // What all cells are at first sight; then those that may be steeper than any corner, closer.
-    let slopes: Vec<Slopes> =
-        (0..nx * ny * nz).into_par_iter().map(|index| nets.slopes(&gather(index), domain.spacing, Part::WHOLE)).collect();
+    let slopes: Vec<Slopes> = (0..nx * ny * nz)
+        .into_par_iter()
+        .map(|index| nets.slopes(&gather(index), domain.spacing, Part::WHOLE))
+        .collect();
     let attained = slopes.iter().map(|cell| cell.attained).fold(0.0, f64::max);
     let refined = |(index, _)| nets.refined(&gather(index), domain.spacing, Part::WHOLE, attained);
     let doubtful = slopes.par_iter().enumerate().filter(|(_, cell)| cell.bound > attained);
@@ -88,7 +90,8 @@ impl Nets {
             let edge = 1.0 / f64::from(1_u32 << halvings);
             let of_part: Vec<Polynomial> =
                 contributions.iter().map(|whole| substituted(whole, f64::from(place) * edge, edge)).collect();
-            let control = |polynomial: &Polynomial| (0..points).map(|at| control_point(polynomial, points - 1, at)).collect();
+            let control =
+                |polynomial: &Polynomial| (0..points).map(|at| control_point(polynomial, points - 1, at)).collect();
             Axis {
                 value: of_part.iter().flat_map(|polynomial| -> Vec<f64> { control(polynomial) }).collect(),
                 slope: of_part
@@ -160,7 +163,9 @@ impl Nets {
         let rest = tensor.len() / self.numbers();
         let mut out = vec![0.0; rest * self.points];
         for (row, control) in tensor.chunks(rest).zip(basis.chunks(self.points)) {
-            for (&coefficient, out) in row.iter().zip(out.chunks_mut(self.points)).filter(|(coefficient, _)| **coefficient != 0.0) {
+            for (&coefficient, out) in
+                row.iter().zip(out.chunks_mut(self.points)).filter(|(coefficient, _)| **coefficient != 0.0)
+            {
                 for (out, control) in out.iter_mut().zip(control) {
                     *out += coefficient * control;
                 }
@@ -189,7 +194,8 @@ fn contributions(grid: &GridSettings) -> Vec<Polynomial> {
     };
     let far = polynomial(weight);
     let near = std::array::from_fn(|power| f64::from(u8::from(power == 0)) - far[power]);
-    let of_end = |weight: Polynomial, end: f64| (0..=order).map(move |power| product(&weight, &shifted_power(end, power)));
+    let of_end =
+        |weight: Polynomial, end: f64| (0..=order).map(move |power| product(&weight, &shifted_power(end, power)));
     of_end(near, 0.0).chain(of_end(far, 1.0)).collect()
 }
 

@@ -40,7 +40,8 @@ pub(super) fn of_interpolants(octree: &Octree<'_>) -> SeamBound {
         for leaf in chunk {
             let own = Held::by(octree, leaf, interpolant);
             for face in FACES {
-                if let Some(other) = neighbour(&tree, leaf, face).filter(|other| measured_from_here(leaf, other, face)) {
+                if let Some(other) = neighbour(&tree, leaf, face).filter(|other| measured_from_here(leaf, other, face))
+                {
                     bound = bound.or(across(&own, &Held::by(octree, &other, interpolant), face));
                 }
             }
@@ -151,7 +152,10 @@ impl Net {
         let Self(points) = self;
         let along_u = points.iter().flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]));
         let along_v = points.windows(2).flat_map(|rows| (0..4).map(|at| rows[1][at] - rows[0][at]));
-        [along_u.fold(0.0, |largest: f64, step| largest.max(3.0 * step.abs())), along_v.fold(0.0, |largest: f64, step| largest.max(3.0 * step.abs()))]
+        [
+            along_u.fold(0.0, |largest: f64, step| largest.max(3.0 * step.abs())),
+            along_v.fold(0.0, |largest: f64, step| largest.max(3.0 * step.abs())),
+        ]
     }
 }
 
