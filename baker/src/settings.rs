@@ -163,6 +163,9 @@ pub enum Sampling {
     Taylor,
     /// Least squares over a fine grid around each sample.
     LeastSquares(FineGrid),
+    /// Least squares of the reconstruction over all cells at once, starting from the exact ones. Order 0 and 1; not
+    /// for the nearest sample.
+    Fitted,
 }
 
 /// The neighbourhood of a least-squares sample (Bán and Valasek 2020, section 4).
@@ -278,6 +281,9 @@ pub enum SettingsError {
     /// Exact derivatives end with the gradient.
     #[error("exact derivatives end with the gradient: samples of order {0} are taken by least squares")]
     Taylor(u8),
+    /// What is fitted is linear in distances and gradients, and reaches from sample to sample.
+    #[error("fitted samples are of order 0 or 1, and of a reconstruction other than nearest")]
+    Fitted,
     /// A grid needs two samples along an axis, a fit more points than its order.
     #[error("a grid needs at least 2 samples along every axis")]
     Resolution,
@@ -326,6 +332,10 @@ impl GridSettings {
         match self.sampling {
             Sampling::Taylor if order > 1 => Err(SettingsError::Taylor(order)),
             Sampling::Taylor => Ok(()),
+            Sampling::Fitted if order > 1 || self.reconstruction == Reconstruction::Nearest => {
+                Err(SettingsError::Fitted)
+            }
+            Sampling::Fitted => Ok(()),
             Sampling::LeastSquares(fine) => {
                 let needed = (order + 1).max(2);
                 let positive = fine.extent.is_finite() && fine.extent > 0.0;
