@@ -295,8 +295,19 @@ impl<'a> PolynomialOctree<'a> {
         let mut place = Place::default();
         self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
         self.find(&mut place);
+        self.answer_at(&place, with_gradient)
+    }
+
+    /// The same at a place, by a call.
+    #[inline(never)]
+    pub(crate) fn query_at(&self, place: &Place, with_gradient: bool) -> Answer {
+        self.answer_at(place, with_gradient)
+    }
+
+    #[inline(always)]
+    fn answer_at(&self, place: &Place, with_gradient: bool) -> Answer {
         let bits = Bits::at(self, place.leaf);
-        self.answer(&place, bits.overlap_codes(self), with_gradient, |question, workspace, answer| {
+        self.answer(place, bits.overlap_codes(self), with_gradient, |question, workspace, answer| {
             bits.evaluate(self, question, workspace, answer);
         })
     }
@@ -330,8 +341,8 @@ impl<'a> PolynomialOctree<'a> {
     }
 
     /// The answer at a place: that of its leaf, blended with others that may have a say there.
-    #[inline]
-    fn answer(
+    #[inline(always)]
+    pub(crate) fn answer(
         &self,
         place: &Place,
         codes: OverlapCodes,
@@ -350,7 +361,7 @@ impl<'a> PolynomialOctree<'a> {
 
     /// Finds the leaf of a place.
     #[inline(never)]
-    fn find(&self, place: &mut Place) {
+    pub(crate) fn find(&self, place: &mut Place) {
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);
