@@ -10,7 +10,7 @@ use crate::polynomial_octree::{Place, PolynomialOctree};
 use crate::polynomial_rows::{Answers, POINTS, Row, Sums, holds, locals};
 
 /// Fewer are faster one by one.
-const LEAST_POINTS: usize = 6;
+const LEAST_POINTS: usize = 12;
 
 /// Fewer that a neighbour may have a say at are blended one by one.
 const LEAST_ASKED: u32 = 3;

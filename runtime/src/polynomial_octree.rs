@@ -323,19 +323,16 @@ impl<'a> PolynomialOctree<'a> {
         let is_same = *known != Known::Nothing && different >> place.shift == 0;
         if !is_same {
             self.find(place);
-        }
-        let bits = Bits::at(self, place.leaf);
-        if !is_same {
-            (*known, *codes) = (Known::Place, bits.overlap_codes(self));
+            (*known, *codes) = (Known::Place, Bits::at(self, place.leaf).overlap_codes(self));
         } else if *known == Known::Place {
-            bits.decode(self, polynomials);
+            Bits::at(self, place.leaf).decode(self, polynomials);
             *known = Known::Polynomials;
         }
         self.answer(place, *codes, with_gradient, |question, workspace, answer| {
             if *known == Known::Polynomials {
                 polynomials.evaluate(question, answer);
             } else {
-                bits.evaluate(self, question, workspace, answer);
+                Bits::at(self, place.leaf).evaluate(self, question, workspace, answer);
             }
         })
     }
