@@ -25,11 +25,11 @@ struct Sums {
 
 /// How fast the weight of a leaf falls along an axis: half the leaf's edge over twice the distance by which it reaches
 /// beyond its cell.
-type Steepness = f32;
+pub(crate) type Steepness = f32;
 
 /// The smooth step of an axis at a local coordinate, and its derivative.
 #[inline]
-fn step(local: f32, steepness: Steepness) -> (f32, f32) {
+pub(crate) fn step(local: f32, steepness: Steepness) -> (f32, f32) {
     let inside = 0.5 + (1.0 - local.abs()) * steepness;
     let inside = if inside > 0.0 { inside } else { 0.0 };
     let inside = if inside < 1.0 { inside } else { 1.0 };
@@ -87,10 +87,10 @@ impl Sums {
 
 /// A leaf near a place: where it is, its edge as a power of two of finest cells, and one of those that it holds.
 #[derive(Default)]
-struct Other {
-    leaf: u32,
-    shift: u32,
-    cell: [u32; 4],
+pub(crate) struct Other {
+    pub(crate) leaf: u32,
+    pub(crate) shift: u32,
+    pub(crate) cell: [u32; 4],
 }
 
 /// A place near a face of its leaf, what that leaf answers there, and the sums over it and others.
@@ -251,7 +251,7 @@ impl PolynomialOctree<'_> {
     /// The leaf beyond faces along a set of axes, from the node that holds that and a place. `beyond` is the cell beyond all
     /// three.
     #[inline(never)]
-    fn leaf_beside(&self, place: &Place, crossed: u32, beyond: &[u32; 4], other: &mut Other) {
+    pub(crate) fn leaf_beside(&self, place: &Place, crossed: u32, beyond: &[u32; 4], other: &mut Other) {
         let crossed = &CROSSED[crossed as usize & 7];
         let mut different = [0; 4];
         for lane in 0..4 {
@@ -306,7 +306,7 @@ impl PolynomialOctree<'_> {
 
     /// Half the edge of a leaf over twice the distance by which it reaches beyond its cell.
     #[inline]
-    fn steepness(&self, support: u32) -> Steepness {
+    pub(crate) fn steepness(&self, support: u32) -> Steepness {
         self.steepness * (1 << support) as f32
     }
 }

@@ -38,7 +38,7 @@ impl Shape {
     }
 
     #[inline]
-    fn degree(self, polynomial: usize) -> u32 {
+    pub(crate) fn degree(self, polynomial: usize) -> u32 {
         self.byte(shape::DEGREES.start + polynomial).into()
     }
 
@@ -56,7 +56,7 @@ impl Shape {
     }
 
     #[inline]
-    fn is_single(self) -> bool {
+    pub(crate) fn is_single(self) -> bool {
         self.byte(shape::KIND) == kind::SINGLE
     }
 
@@ -68,7 +68,7 @@ impl Shape {
 
     /// Whether it takes polynomial B for its value rather than that of A.
     #[inline]
-    fn prefers(self, second: f32, first: f32) -> bool {
+    pub(crate) fn prefers(self, second: f32, first: f32) -> bool {
         if self.byte(shape::KIND) == kind::MIN { second < first } else { second > first }
     }
 }
@@ -127,11 +127,11 @@ impl Answer {
 /// The polynomials of a leaf.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Polynomials {
-    shape: Shape,
+    pub(crate) shape: Shape,
     /// Step of the coefficients, mesh units.
-    step: f32,
-    first: Coefficients,
-    second: Coefficients,
+    pub(crate) step: f32,
+    pub(crate) first: Coefficients,
+    pub(crate) second: Coefficients,
 }
 
 impl Polynomials {

@@ -295,8 +295,19 @@ impl<'a> PolynomialOctree<'a> {
         let mut place = Place::default();
         self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
         self.find(&mut place);
+        self.answer_at(&place, with_gradient)
+    }
+
+    /// The same at a place, by a call.
+    #[inline(never)]
+    pub(crate) fn query_at(&self, place: &Place, with_gradient: bool) -> Answer {
+        self.answer_at(place, with_gradient)
+    }
+
+    #[inline(always)]
+    fn answer_at(&self, place: &Place, with_gradient: bool) -> Answer {
         let bits = Bits::at(self, place.leaf);
-        self.answer(&place, bits.overlap_codes(self), with_gradient, |question, workspace, answer| {
+        self.answer(place, bits.overlap_codes(self), with_gradient, |question, workspace, answer| {
             bits.evaluate(self, question, workspace, answer);
         })
     }
@@ -312,26 +323,23 @@ impl<'a> PolynomialOctree<'a> {
         let is_same = *known != Known::Nothing && different >> place.shift == 0;
         if !is_same {
             self.find(place);
-        }
-        let bits = Bits::at(self, place.leaf);
-        if !is_same {
-            (*known, *codes) = (Known::Place, bits.overlap_codes(self));
+            (*known, *codes) = (Known::Place, Bits::at(self, place.leaf).overlap_codes(self));
         } else if *known == Known::Place {
-            bits.decode(self, polynomials);
+            Bits::at(self, place.leaf).decode(self, polynomials);
             *known = Known::Polynomials;
         }
         self.answer(place, *codes, with_gradient, |question, workspace, answer| {
             if *known == Known::Polynomials {
                 polynomials.evaluate(question, answer);
             } else {
-                bits.evaluate(self, question, workspace, answer);
+                Bits::at(self, place.leaf).evaluate(self, question, workspace, answer);
             }
         })
     }
 
     /// The answer at a place: that of its leaf, blended with others that may have a say there.
-    #[inline]
-    fn answer(
+    #[inline(always)]
+    pub(crate) fn answer(
         &self,
         place: &Place,
         codes: OverlapCodes,
@@ -350,7 +358,7 @@ impl<'a> PolynomialOctree<'a> {
 
     /// Finds the leaf of a place.
     #[inline(never)]
-    fn find(&self, place: &mut Place) {
+    pub(crate) fn find(&self, place: &mut Place) {
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::grid::Grid;
 use crate::header::{self, Aabb, Family};
 use crate::octree::Octree;
-use crate::polynomial_octree::{PolynomialOctree, Visit};
+use crate::polynomial_octree::PolynomialOctree;
 use crate::{validate, validate_grid, validate_polynomial};
 
 /// What a [`Field`](crate::Field) is made of: an [`Octree`], a [`PolynomialOctree`], a
@@ -248,17 +248,11 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
     }
 
     fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
-        let mut visit = Visit::default();
-        for (&point, value) in points.iter().zip(values) {
-            *value = self.query_from(point, false, &mut visit).value;
-        }
+        self.query_each(points, values, None);
     }
 
     fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
-        let mut visit = Visit::default();
-        for (&point, (value, gradient)) in points.iter().zip(values.iter_mut().zip(gradients)) {
-            (*value, *gradient) = self.query_from(point, true, &mut visit).split();
-        }
+        self.query_each(points, values, Some(gradients));
     }
 
     #[inline]
