@@ -51,6 +51,8 @@ pub struct Grid<'a> {
     resolution: [u32; 3],
     spacing: [f32; 3],
     cells_per_unit: [f32; 3],
+    /// Cells along each axis.
+    cells: [f32; 3],
     pub(crate) quantum: f32,
     order: u8,
     reconstruction: Reconstruction,
@@ -121,6 +123,7 @@ impl<'a> Grid<'a> {
             resolution,
             spacing,
             cells_per_unit: spacing.map(|spacing| 1.0 / spacing),
+            cells: resolution.map(|samples| (samples - 1) as f32),
             quantum,
             order,
             reconstruction,
@@ -216,7 +219,7 @@ impl<'a> Grid<'a> {
     }
 
     /// Base distance of the sample at a vertex, in quanta.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn base(&self, vertex: [u32; 3]) -> i32 {
         let brick = if self.has_bricks { self.bricks_of(vertex).0 } else { 0 };
         self.bases.word(brick).cast_signed()
@@ -248,8 +251,8 @@ impl<'a> Grid<'a> {
     /// The cell that holds a point of the box, by its least vertex, and where in it the point is, 0 to 1.
     #[inline]
     pub(crate) fn locate(&self, point: [f32; 3]) -> ([u32; 3], [f32; 3]) {
-        let cells = self.cells();
-        let place = |axis: usize| place(point[axis], self.bounds.min[axis], self.cells_per_unit[axis], cells[axis]);
+        let place =
+            |axis: usize| place(point[axis], self.bounds.min[axis], self.cells_per_unit[axis], self.cells[axis]);
         let [(x, u), (y, v), (z, w)] = [place(0), place(1), place(2)];
         ([x, y, z], [u, v, w])
     }
@@ -263,7 +266,7 @@ impl<'a> Grid<'a> {
         local: &mut [[f32; 3]; COUNT],
     ) {
         let (min, cells_per_unit, cells) =
-            ([self.bounds.min; COUNT], [self.cells_per_unit; COUNT], [self.cells(); COUNT]);
+            ([self.bounds.min; COUNT], [self.cells_per_unit; COUNT], [self.cells; COUNT]);
         let axes = min.as_flattened().iter().zip(cells_per_unit.as_flattened()).zip(cells.as_flattened());
         let places = cell.as_flattened_mut().iter_mut().zip(local.as_flattened_mut());
         for ((&coordinate, ((&min, &per_unit), &cells)), (cell, local)) in
@@ -271,12 +274,6 @@ impl<'a> Grid<'a> {
         {
             (*cell, *local) = place(coordinate, min, per_unit, cells);
         }
-    }
-
-    /// Cells along each axis.
-    #[inline]
-    fn cells(&self) -> [f32; 3] {
-        self.resolution.map(|samples| (samples - 1).cast_signed() as f32)
     }
 
     /// Derivatives by local coordinates to a gradient.

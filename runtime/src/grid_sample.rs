@@ -3,12 +3,8 @@
 use crate::grid::{Grid, GridPrecision};
 use crate::hermite::{Corners, Jets};
 use crate::layout::packed_sample;
-use crate::polynomial::{Polynomial, SECOND, TERMS, THIRD};
+use crate::polynomial::{AXES, NO_AXIS, Polynomial, TERMS};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
-
-/// Number of the first coefficient of degree 2, and of degree 3.
-const SECOND_FIRST: usize = 4;
-const THIRD_FIRST: usize = 10;
 
 /// Packed first-order samples at the corners of a cell, as they are in the file.
 #[derive(Clone, Copy, Default)]
@@ -128,10 +124,18 @@ impl Grid<'_> {
             return;
         }
         let (first, [x, y, z]) = self.bricks_of(cell);
-        for (corner, base) in bases.iter_mut().enumerate() {
-            let step = |bit: usize, step: usize| if corner >> bit & 1 == 1 { step } else { 0 };
-            *base = self.bases.word(first + step(2, x) + step(1, y) + step(0, z)).cast_signed();
-        }
+        let at = |brick: usize| self.bases.word(brick).cast_signed();
+        let (beyond, yz) = (first + x, y + z);
+        *bases = [
+            at(first),
+            at(first + z),
+            at(first + y),
+            at(first + yz),
+            at(beyond),
+            at(beyond + z),
+            at(beyond + y),
+            at(beyond + yz),
+        ];
     }
 
     /// The same of samples of several words.
@@ -174,49 +178,39 @@ impl Grid<'_> {
                 numbers[0] = self.lone_distance(at);
                 return Polynomial(numbers);
             }
-            1 => SECOND_FIRST,
-            2 => THIRD_FIRST,
+            1 => 4,
+            2 => 10,
             _ => TERMS,
         };
 
         // Numbers as stored.
         let data = self.samples.tail(index * (self.halves_per_sample() / 2) as usize);
-        let half = |place: usize| decode_half((data.word(place / 2) >> (16 * (place & 1))) as u16);
-        let distance = |code: u32| decode_distance(self.base(at), code, self.quantum);
-        match self.precision {
-            GridPrecision::F32 => {
-                for (place, number) in numbers.iter_mut().enumerate().take(count) {
-                    *number = decode_single(data.word(place));
-                }
-            }
-            GridPrecision::F16 => {
-                numbers[0] = distance(data.word(0) & 0xFFFF);
-                for (place, number) in numbers.iter_mut().enumerate().take(count).skip(1) {
-                    *number = half(place);
-                }
-            }
-            GridPrecision::Packed32 => {
-                let word = data.word(0);
-                numbers[0] = distance(word >> packed_sample::DISTANCE_SHIFT);
+        let is_packed = self.precision == GridPrecision::Packed32;
+        for (place, number) in numbers.iter_mut().enumerate().take(count) {
+            *number = if self.precision == GridPrecision::F32 {
+                decode_single(data.word(place))
+            } else {
+                // Four packed numbers take two halves.
+                let half = if is_packed { place.saturating_sub(2) } else { place };
+                decode_half((data.word(half / 2) >> (16 * (half & 1))) as u16)
+            };
+        }
+        if self.precision != GridPrecision::F32 {
+            let word = data.word(0);
+            let code = if is_packed { word >> packed_sample::DISTANCE_SHIFT } else { word & 0xFFFF };
+            numbers[0] = decode_distance(self.base(at), code, self.quantum);
+            if is_packed {
                 [numbers[1], numbers[2], numbers[3]] = decode_gradient(word);
-                for (place, number) in numbers.iter_mut().enumerate().take(count).skip(SECOND_FIRST) {
-                    *number = half(place - SECOND_FIRST + 2);
-                }
             }
         }
 
-        // To local coordinates.
-        let spacing = self.spacing();
+        // To local coordinates: by the spacing along the first axis, and by those along the others in units of the greatest.
+        let [x, y, z] = self.spacing();
         let unit = self.unit();
-        let ratio = spacing.map(|spacing| spacing / unit);
-        for (number, spacing) in numbers[1..SECOND_FIRST].iter_mut().zip(spacing) {
-            *number *= spacing;
-        }
-        for (number, [a, b]) in numbers[SECOND_FIRST..THIRD_FIRST].iter_mut().zip(SECOND) {
-            *number *= spacing[a] * ratio[b];
-        }
-        for (number, [a, b, c]) in numbers[THIRD_FIRST..].iter_mut().zip(THIRD) {
-            *number *= spacing[a] * ratio[b] * ratio[c];
+        let (spacing, ratio) = ([x, y, z, 1.0], [x / unit, y / unit, z / unit, 1.0]);
+        for (number, [a, b, c]) in numbers.iter_mut().zip(&AXES) {
+            // The masks show the compiler that no index can fail.
+            *number *= spacing[a & NO_AXIS] * ratio[b & NO_AXIS] * ratio[c & NO_AXIS];
         }
         Polynomial(numbers)
     }

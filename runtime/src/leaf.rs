@@ -244,7 +244,7 @@ impl Block<'_> {
             let full = self.full & bit != 0;
             if full || self.precision != precision::PACKED32 {
                 // The mask shows the compiler that no index can fail.
-                jets[corner & 7] = self.wide_jet(place as usize, full, scale);
+                self.read_wide(place as usize, full, scale, &mut jets[corner & 7]);
             }
         }
     }
@@ -259,29 +259,25 @@ impl Block<'_> {
         [0, 9, 3, 12, 1, 10, 4, 13].into_iter().rev().fold(0, |mask, bit| mask << 1 | absent >> bit & 1)
     }
 
-    /// A sample of half floats or floats.
-    fn wide_jet(&self, place: usize, full: bool, scale: Scale) -> Jet {
-        let (distance, gradient) = if self.precision == precision::F32 {
-            let [distance, x, y, z] = self.data.words(place).map(decode_single);
-            (distance, [x, y, z])
+    /// A sample of half floats or floats: a distance, then derivatives by x, y, z, xy, xz, yz and xyz.
+    fn read_wide(&self, place: usize, full: bool, scale: Scale, jet: &mut Jet) {
+        let mut numbers = Jet::default();
+        for (index, number) in numbers.iter_mut().enumerate().take(if full { 8 } else { 4 }) {
+            *number = if self.precision == precision::F32 {
+                decode_single(self.data.word(place + index))
+            } else {
+                decode_half((self.data.word(place + index / 2) >> (16 * (index & 1))) as u16)
+            };
+            *number *= scale.edge;
+        }
+        let [_, x, y, z, xy, xz, yz, xyz] = numbers;
+        let code = self.data.word(place);
+        let distance = if self.precision == precision::F32 {
+            decode_single(code)
         } else {
-            let [code_x, y_z] = self.data.words(place);
-            let base = self.base.wrapping_mul(16);
-            let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
-            (distance, [high(code_x), low(y_z), high(y_z)])
+            decode_distance(self.base.wrapping_mul(16), code & 0xFFFF, scale.quantum * SIXTEENTH)
         };
-        let mixed = match (full, self.precision) {
-            (false, _) => [0.0; 4],
-            (true, precision::F32) => self.data.words(place + 4).map(decode_single),
-            (true, _) => {
-                let [xy_xz, yz_xyz] = self.data.words(place + 2);
-                [low(xy_xz), high(xy_xz), low(yz_xyz), high(yz_xyz)]
-            }
-        };
-
-        let [x, y, z] = gradient.map(|derivative| derivative * scale.edge);
-        let [xy, xz, yz, xyz] = mixed.map(|derivative| derivative * scale.edge);
-        [distance, z, y, yz, x, xz, xy, xyz]
+        *jet = [distance, z, y, yz, x, xz, xy, xyz];
     }
 
     /// The distance of a trilinear sample.
@@ -302,14 +298,4 @@ pub(crate) fn strides(precision: u32) -> (u32, u32) {
         precision::F16 => (2, 4),
         _ => (4, 8),
     }
-}
-
-#[inline]
-fn low(word: u32) -> f32 {
-    decode_half(word as u16)
-}
-
-#[inline]
-fn high(word: u32) -> f32 {
-    decode_half((word >> 16) as u16)
 }

@@ -141,7 +141,11 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
 /// Nearest point of a box; NaN becomes the least corner's.
 #[inline(never)]
 pub(crate) fn nearest(bounds: Aabb, point: [f32; 3]) -> [f32; 3] {
-    [0, 1, 2].map(|axis: usize| point[axis].max(bounds.min[axis]).min(bounds.max[axis]))
+    let mut nearest = point;
+    for ((part, min), max) in nearest.iter_mut().zip(bounds.min).zip(bounds.max) {
+        *part = part.max(min).min(max);
+    }
+    nearest
 }
 
 pub(crate) fn longest_side(bounds: Aabb) -> f32 {

@@ -21,9 +21,18 @@ impl Weights {
     /// Weights whose derivatives vanish at both ends, up to the `smoothness`-th.
     #[inline]
     fn new(smoothness: u8, t: f32) -> Self {
+        if smoothness == 0 {
+            Self { value: [1.0 - t, t], derivative: [-1.0, 1.0] }
+        } else {
+            Self::smooth(smoothness, t)
+        }
+    }
+
+    /// The same of smoothness 1 and above.
+    #[inline(never)]
+    fn smooth(smoothness: u8, t: f32) -> Self {
         let rest = 1.0 - t;
         let (end, slope) = match smoothness {
-            0 => (t, 1.0),
             1 => (t * t * (3.0 - 2.0 * t), 6.0 * t * rest),
             2 => (t * t * t * (10.0 - t * (15.0 - 6.0 * t)), 30.0 * (t * t) * (rest * rest)),
             _ => {
@@ -179,14 +188,12 @@ impl Grid<'_> {
     fn weighted(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
         let Answers { value, slope: [by_x, by_y, by_z] } = self.answers(cell, local);
-        let of_weights = [
-            trilinear_sum(&value, x.derivative, y.value, z.value),
-            trilinear_sum(&value, x.value, y.derivative, z.value),
-            trilinear_sum(&value, x.value, y.value, z.derivative),
+        let slopes = [
+            rare_sum(&value, x.derivative, y.value, z.value) + rare_sum(&by_x, x.value, y.value, z.value),
+            rare_sum(&value, x.value, y.derivative, z.value) + rare_sum(&by_y, x.value, y.value, z.value),
+            rare_sum(&value, x.value, y.value, z.derivative) + rare_sum(&by_z, x.value, y.value, z.value),
         ];
-        let of_polynomials = [by_x, by_y, by_z].map(|slope| trilinear_sum(&slope, x.value, y.value, z.value));
-        let slopes = [0, 1, 2].map(|axis: usize| of_weights[axis] + of_polynomials[axis]);
-        (trilinear_sum(&value, x.value, y.value, z.value), slopes)
+        (rare_sum(&value, x.value, y.value, z.value), slopes)
     }
 
     fn answers(&self, cell: [u32; 3], [x, y, z]: [f32; 3]) -> Answers {
@@ -223,6 +230,12 @@ impl Grid<'_> {
             _ => [1.0, 0.75, 0.5, 0.25],
         }
     }
+}
+
+/// [`trilinear_sum`] where it is called seven times and may take its time.
+#[inline(never)]
+fn rare_sum(corners: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
+    trilinear_sum(corners, x, y, z)
 }
 
 /// Value between first-order samples.
