@@ -175,14 +175,12 @@ impl Nets {
 
 /// Control point `at` of a polynomial in the Bernstein basis of a degree over 0 to 1.
 fn control_point(polynomial: &Polynomial, degree: usize, at: usize) -> f64 {
-    // Each power adds its coefficient times C(at, power) / C(degree, power).
+    // Each power adds its coefficient times C(at, power) / C(degree, power), which is 1 for the first.
     let mut ratio = 1.0;
     let mut sum = 0.0;
-    for power in 0..=at {
-        sum += ratio * polynomial[power];
-        if power < at {
-            ratio *= (at - power) as f64 / (degree - power) as f64;
-        }
+    for (power, term) in polynomial.iter().enumerate().take(at + 1) {
+        sum += ratio * term;
+        ratio *= (at - power) as f64 / (degree - power).max(1) as f64;
     }
     sum
 }
