@@ -3,7 +3,9 @@
 use crate::measure::{CUBE, Errors, Subject, beside, number};
 use crate::shapes::{Formula, Shapes, sphere};
 use glam::DVec3;
+use nearfield_bake::field_function::FieldFunction;
 use nearfield_bake::settings::{FineGrid, GridSettings, Precision, RangeScope, Reconstruction, Resolution, Sampling};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 const RESOLUTIONS: [u32; 5] = [8, 16, 32, 64, 128];
@@ -35,34 +37,47 @@ fn nearest(samples: u32, sampling: Sampling, range: RangeScope) -> GridSettings 
 
 pub(crate) fn tables(shapes: &Shapes) -> String {
     let ball = Formula(sphere);
-    let subjects = [
-        Subject::on_lattice("sphere", &ball),
-        Subject::on_lattice("bunny", &shapes.bunny.distance),
-        Subject::on_lattice("horse for dragon", &shapes.horse.distance),
-    ];
-    let mut text = String::from(
-        "## Bán and Valasek 2020, First order signed distance fields\n\n\
-         Errors over a lattice of 256³, as there; its distances are exact.\n\n",
-    );
-    accuracy(&mut text, &subjects);
-    matching(&mut text, &subjects);
-    fine_grid(&mut text, &subjects);
-    packing(&mut text, &subjects[1]);
-    splits(&mut text, &Subject::new("bunny", &shapes.bunny.distance));
+    let functions: [(&'static str, &dyn FieldFunction); 3] =
+        [("sphere", &ball), ("bunny", &shapes.bunny.distance), ("horse for dragon", &shapes.horse.distance)];
+    let on_lattice = functions.map(|(name, function)| OnLattice::measure(&Subject::on_lattice(name, function)));
+    let at_points = functions.map(|(name, function)| Subject::new(name, function));
+
+    let mut text = String::from("## Bán and Valasek 2020, First order signed distance fields\n\n");
+    accuracy(&mut text, &on_lattice);
+    matching(&mut text, &on_lattice);
+    fine_grid(&mut text, &at_points);
+    packing(&mut text, &at_points[1]);
+    splits(&mut text, &at_points[1]);
     text
 }
 
-fn first_order(subject: &Subject<'_>, samples: u32) -> f64 {
-    subject.grid(nearest(samples, Sampling::Taylor, RangeScope::File), Precision::F32).0.mean
+/// Mean errors over the lattice of 256³, by samples along an axis.
+struct OnLattice {
+    name: &'static str,
+    zero_order: BTreeMap<u32, f64>,
+    first_order: BTreeMap<u32, f64>,
 }
 
-fn accuracy(text: &mut String, subjects: &[Subject<'_>]) {
-    *text += "### Accuracy (section 5.2)\n\nMean error, paper / ours / ratio, the nearest sample answering.\n\n\
+impl OnLattice {
+    fn measure(subject: &Subject<'_>) -> Self {
+        let first_order =
+            |samples: u32| subject.grid(nearest(samples, Sampling::Taylor, RangeScope::File), Precision::F32).0.mean;
+        let sizes = BTreeSet::from_iter(RESOLUTIONS.into_iter().chain(MATCHED));
+        Self {
+            name: subject.name,
+            zero_order: ZERO_ORDER.map(|samples| (samples, subject.zero_order(samples).mean)).into(),
+            first_order: sizes.into_iter().map(|samples| (samples, first_order(samples))).collect(),
+        }
+    }
+}
+
+fn accuracy(text: &mut String, subjects: &[OnLattice]) {
+    *text += "### Accuracy (section 5.2)\n\nMean error over a lattice of 256³, paper / ours / ratio, the nearest sample answering.\n\n\
               | shape | N | order 0 | order 1 |\n| --- | --- | --- | --- |\n";
     for (subject, paper) in subjects.iter().zip(ACCURACY) {
         for (samples, [zero, first]) in RESOLUTIONS.into_iter().zip(paper) {
-            let zero = beside(zero, subject.zero_order(samples).mean);
-            let first = beside(first, first_order(subject, samples));
+            let zero = beside(zero, subject.zero_order[&samples]);
+            let first = beside(first, subject.first_order[&samples]);
             writeln!(text, "| {} | {samples} | {zero} | {first} |", subject.name).expect("memory");
         }
     }
@@ -72,7 +87,7 @@ fn accuracy(text: &mut String, subjects: &[Subject<'_>]) {
               least error; ours is exact.\n\n";
 }
 
-fn matching(text: &mut String, subjects: &[Subject<'_>]) {
+fn matching(text: &mut String, subjects: &[OnLattice]) {
     *text += "### Matching sizes and storage (sections 5.2 and 5.3)\n\nThe smallest zero-order field that errs no more on \
               average than a first-order one, among the paper's sizes\nup to 128³, paper / ours; below it the scalars of the \
               first-order field, four a sample, in percent of its.\n\n| shape |";
@@ -83,11 +98,9 @@ fn matching(text: &mut String, subjects: &[Subject<'_>]) {
     *text += &" --- |".repeat(MATCHED.len());
     text.push('\n');
     for (subject, paper) in subjects.iter().zip(MATCHING) {
-        let zero: Vec<(u32, f64)> =
-            ZERO_ORDER.iter().map(|&samples| (samples, subject.zero_order(samples).mean)).collect();
         let ours = MATCHED.map(|samples| {
-            let first = first_order(subject, samples);
-            zero.iter().find(|&&(_, error)| error <= first).map(|&(size, _)| size)
+            let first = subject.first_order[&samples];
+            ZERO_ORDER.into_iter().find(|size| subject.zero_order[size] <= first)
         });
         let size = |size: Option<u32>| size.map_or("none".to_owned(), |size| format!("{size}³"));
         let percent = |(samples, size): (u32, Option<u32>)| {

@@ -52,8 +52,8 @@ fn introduction(shapes: &shapes::Shapes) -> String {
          Bunny: {}. Armadillo: {}. Horse: {}.\n\
          All are centred and scaled into [-1, 1]³ for the papers of 2020 and 2022, as there. The dragon of 2020 and the\n\
          scenes of 2022 are not published with the papers: the horse stands beside the dragon, and the scenes are our own.\n\n\
-         Errors are against exact distances: for the paper of 2020 over a lattice of 256³, as there, for that of 2022 at\n\
-         {} random points of the cube.\n\
+         Errors are against exact distances: for section 5.2 of 2020 over a lattice of 256³, as there, otherwise for 2020\n\
+         and 2022 at {} random points of the cube.\n\
          Every field of ours went through its file and the shipping reader.\n\n",
         shapes.bunny.origin,
         shapes.armadillo.origin,

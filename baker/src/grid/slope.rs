@@ -10,9 +10,12 @@ use crate::sampling::{EXPONENTS, monomial, terms};
 use crate::settings::GridSettings;
 use glam::{DVec3, UVec3};
 use rayon::prelude::*;
+use std::collections::BinaryHeap;
 
-/// How often a cell whose bound is above what is attained elsewhere is halved.
-const HALVINGS: u32 = 2;
+/// How far the bound may be above what is attained.
+const CLOSE: f64 = 1.02;
+/// How often a cell is halved at most.
+const HALVINGS: u32 = 4;
 
 /// Upper bound of the length of the gradient of the reconstruction of `coefficients`, between its jumps if it has any.
 pub(super) fn bound(coefficients: &[f64], domain: &Domain, grid: &GridSettings) -> f64 {
@@ -24,39 +27,50 @@ pub(super) fn bound(coefficients: &[f64], domain: &Domain, grid: &GridSettings) 
         nets.gather(coefficients, domain, grid, UVec3::from_array(cell))
     };
 
-    // What all cells are at first sight; then those that may be steeper than any corner, closer.
-    let slopes: Vec<Slopes> = (0..nx * ny * nz)
-        .into_par_iter()
-        .map(|index| nets.slopes(&gather(index), domain.spacing, Part::WHOLE))
-        .collect();
-    let attained = slopes.iter().map(|cell| cell.attained).fold(0.0, f64::max);
-    let refined = |(index, _)| nets.refined(&gather(index), domain.spacing, Part::WHOLE, attained);
-    let doubtful = slopes.par_iter().enumerate().filter(|(_, cell)| cell.bound > attained);
-    doubtful.map(refined).reduce(|| attained, f64::max).sqrt()
-}
+    let slopes: Vec<Slopes> =
+        (0..nx * ny * nz).into_par_iter().map(|cell| nets.slopes(&gather(cell), domain.spacing, Part::WHOLE)).collect();
 
-/// A dyadic part of a cell: `1 / 2^halvings` of its edge, so many parts from its least corner.
-#[derive(Clone, Copy)]
-struct Part {
-    halvings: u32,
-    place: UVec3,
-}
-
-impl Part {
-    const WHOLE: Self = Self { halvings: 0, place: UVec3::ZERO };
-
-    fn halves(self) -> impl Iterator<Item = Self> {
-        let octant = |index: u32| UVec3::new(index & 1, index >> 1 & 1, index >> 2);
-        (0..8).map(move |index| Self { halvings: self.halvings + 1, place: 2 * self.place + octant(index) })
+    // The part with the greatest bound is halved, until that is close to what is attained: no other can be steeper.
+    let mut attained = slopes.iter().map(|slopes| slopes.attained).fold(0.0, f64::max);
+    let whole_cells = slopes.iter().enumerate().map(|(cell, slopes)| (slopes.bound.to_bits(), cell, Part::WHOLE));
+    let mut parts: BinaryHeap<(u64, usize, Part)> = whole_cells.collect::<Vec<_>>().into();
+    while let Some((bits, cell, part)) = parts.pop() {
+        let bound = f64::from_bits(bits);
+        if bound <= CLOSE * CLOSE * attained || part.halvings == HALVINGS {
+            return bound.sqrt();
+        }
+        let gathered = gather(cell);
+        for half in part.halves() {
+            let slopes = nets.slopes(&gathered, domain.spacing, half);
+            attained = attained.max(slopes.attained);
+            parts.push((slopes.bound.to_bits(), cell, half));
+        }
     }
+    0.0
 }
 
-/// Squared lengths of gradients.
+/// Squared lengths of gradients: not negative, so that their bits are in the order of the numbers.
 struct Slopes {
     /// The greatest at a corner of the part.
     attained: f64,
-    /// No gradient of the part is longer.
+    /// The longest control vector: no gradient of the part is longer.
     bound: f64,
+}
+
+/// A dyadic part of a cell: `1 / 2^halvings` of its edge, so many parts from its least corner.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Part {
+    halvings: u32,
+    place: [u32; 3],
+}
+
+impl Part {
+    const WHOLE: Self = Self { halvings: 0, place: [0; 3] };
+
+    fn halves(self) -> impl Iterator<Item = Self> {
+        let place = move |octant: u32| std::array::from_fn(|axis| 2 * self.place[axis] + (octant >> axis & 1));
+        (0..8).map(move |octant| Self { halvings: self.halvings + 1, place: place(octant) })
+    }
 }
 
 /// What the coefficients of a cell's samples add to its control points along an axis.
@@ -124,17 +138,8 @@ impl Nets {
         gathered
     }
 
-    /// The greatest bound of the parts of a part that may go beyond what is attained, both squared.
-    fn refined(&self, gathered: &[f64], spacing: DVec3, part: Part, attained: f64) -> f64 {
-        let Slopes { bound, .. } = self.slopes(gathered, spacing, part);
-        if bound <= attained || part.halvings == HALVINGS {
-            return bound;
-        }
-        part.halves().map(|half| self.refined(gathered, spacing, half, attained)).fold(0.0, f64::max)
-    }
-
     fn slopes(&self, gathered: &[f64], spacing: DVec3, part: Part) -> Slopes {
-        let axes = part.place.to_array().map(|place| &self.axes[part.halvings as usize][place as usize]);
+        let axes = part.place.map(|place| &self.axes[part.halvings as usize][place as usize]);
         let of = |derived: usize| {
             let basis = |axis: usize| if axis == derived { &axes[axis].slope } else { &axes[axis].value };
             self.contract(&self.contract(&self.contract(gathered, basis(0)), basis(1)), basis(2))
@@ -144,9 +149,9 @@ impl Nets {
 
         let last = self.points - 1;
         let end = |corner: usize, bit: usize| last * (corner >> bit & 1);
-        let corner = |corner: usize| (end(corner, 2) * self.points + end(corner, 1)) * self.points + end(corner, 0);
+        let at = |corner: usize| (end(corner, 2) * self.points + end(corner, 1)) * self.points + end(corner, 0);
         Slopes {
-            attained: (0..8).map(|index| squared(corner(index))).fold(0.0, f64::max),
+            attained: (0..8).map(|corner| squared(at(corner))).fold(0.0, f64::max),
             bound: (0..by_x.len()).map(squared).fold(0.0, f64::max),
         }
     }
@@ -170,14 +175,12 @@ impl Nets {
 
 /// Control point `at` of a polynomial in the Bernstein basis of a degree over 0 to 1.
 fn control_point(polynomial: &Polynomial, degree: usize, at: usize) -> f64 {
-    // Each power adds its coefficient times C(at, power) / C(degree, power).
+    // Each power adds its coefficient times C(at, power) / C(degree, power), which is 1 for the first.
     let mut ratio = 1.0;
     let mut sum = 0.0;
-    for power in 0..=at {
-        sum += ratio * polynomial[power];
-        if power < at {
-            ratio *= (at - power) as f64 / (degree - power) as f64;
-        }
+    for (power, term) in polynomial.iter().enumerate().take(at + 1) {
+        sum += ratio * term;
+        ratio *= (at - power) as f64 / (degree - power).max(1) as f64;
     }
     sum
 }
