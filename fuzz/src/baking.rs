@@ -8,7 +8,10 @@ use nearfield_bake::distance::SignChoice;
 use nearfield_bake::import::TriangleSoup;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
+use nearfield_bake::settings::{
+    Continuity, FineGrid, GridSettings, Interpolant, Layout, PolynomialSettings, Precision, Profile, RangeScope,
+    Reconstruction, Resolution, Sampling, Settings, Target,
+};
 
 /// Fresh points a field is asked at.
 const POINTS: u32 = 128;
@@ -27,6 +30,10 @@ impl Numbers<'_> {
 
     fn below(&mut self, end: u8) -> u8 {
         self.next() % end
+    }
+
+    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[usize::from(self.next()) % choices.len()]
     }
 
     fn point(&mut self) -> DVec3 {
@@ -67,19 +74,56 @@ pub fn bake_small(bytes: &[u8]) {
 }
 
 fn settings(numbers: &mut Numbers<'_>) -> Settings {
+    let layout = match numbers.below(3) {
+        0 => Layout::Octree,
+        1 => Layout::Polynomial(polynomials(numbers)),
+        _ => Layout::Grid(grid(numbers)),
+    };
     let start_depth = numbers.below(4);
     Settings {
         max_bytes: None,
-        layout: Layout::Octree,
+        layout,
         error: Target::Relative((f64::from(numbers.next()) + 1.0) / 2000.0),
-        interpolant: [Interpolant::Trilinear, Interpolant::Tricubic][usize::from(numbers.below(2))],
-        continuity: [Continuity::None, Continuity::C0, Continuity::C1][usize::from(numbers.below(3))],
-        precision: [Precision::Packed32, Precision::F16, Precision::F32][usize::from(numbers.below(3))],
+        interpolant: numbers.one_of(&[Interpolant::Trilinear, Interpolant::Tricubic]),
+        continuity: numbers.one_of(&[Continuity::None, Continuity::C0, Continuity::C1]),
+        precision: numbers.one_of(&[Precision::Packed32, Precision::F16, Precision::F32]),
         start_depth,
         max_depth: (start_depth + numbers.below(4)).min(5),
         margin: f64::from(numbers.next()) / 256.0,
-        sign: [SignChoice::Auto, SignChoice::Pseudonormal, SignChoice::Winding][usize::from(numbers.below(3))],
+        sign: numbers.one_of(&[SignChoice::Auto, SignChoice::Pseudonormal, SignChoice::Winding]),
         samples: CONTRACT_POINTS,
+    }
+}
+
+fn polynomials(numbers: &mut Numbers<'_>) -> PolynomialSettings {
+    PolynomialSettings {
+        max_error: None,
+        profile: numbers.one_of(&[Profile::Uniform, Profile::Surface]),
+        overlap: f64::from(numbers.below(65)) / 256.0,
+    }
+}
+
+fn grid(numbers: &mut Numbers<'_>) -> GridSettings {
+    let fine = FineGrid {
+        count: 2 + numbers.below(4),
+        extent: (f64::from(numbers.below(16)) + 1.0) / 16.0,
+        falloff: f64::from(numbers.below(4)),
+        normalized: numbers.below(2) == 1,
+    };
+    let mut samples = || 2 + u16::from(numbers.below(8));
+    let resolution = [samples(), samples(), samples()];
+    GridSettings {
+        resolution: numbers.one_of(&[Resolution::Longest(resolution[0]), Resolution::Each(resolution)]),
+        order: numbers.below(4),
+        reconstruction: numbers.one_of(&[
+            Reconstruction::Nearest,
+            Reconstruction::Linear,
+            Reconstruction::Half,
+            Reconstruction::Blend,
+            Reconstruction::Hermite,
+        ]),
+        sampling: numbers.one_of(&[Sampling::Taylor, Sampling::LeastSquares(fine)]),
+        range: numbers.one_of(&[RangeScope::File, RangeScope::Brick]),
     }
 }
 

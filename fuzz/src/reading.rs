@@ -91,7 +91,7 @@ fn query(field: &Field<'_>, bytes: &[u8]) -> usize {
 }
 
 /// Points from the last words of a file: as they are, and scaled into the box.
-fn points(field: &Field<'_>, bytes: &[u8]) -> impl Iterator<Item = [f32; 3]> {
+pub(crate) fn points(field: &Field<'_>, bytes: &[u8]) -> impl Iterator<Item = [f32; 3]> {
     let bounds = field.header().bounds;
     let numbers = bytes.as_chunks::<4>().0.iter().rev().map(|word| f32::from_le_bytes(*word));
     let wild: Vec<f32> = numbers.take(30).collect();
