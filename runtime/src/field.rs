@@ -8,7 +8,7 @@ use crate::octree::Octree;
 use crate::polynomial_octree::PolynomialOctree;
 use crate::representation::{Any, Kind, Representation};
 use crate::section::{self, Sections};
-use crate::{math, validate};
+use crate::{march, math, validate};
 
 /// A signed distance field in borrowed bytes.
 ///
@@ -216,6 +216,11 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         section::sections(self.bytes)
     }
 
+    /// The box, and how steep the field is at most: what walks need of the header, which is larger.
+    pub(crate) fn bounds_and_steepest(&self) -> (Aabb, f32) {
+        (header::bounds_of(self.bytes), header::steepest_of(self.bytes))
+    }
+
     /// What the field is made of, where it lies.
     #[inline]
     pub(crate) fn kind(&self) -> Kind<'_, 'a> {
@@ -226,16 +231,20 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     #[cold]
     #[inline(never)]
     fn beyond(&self, point: [f32; 3]) -> Beyond {
-        let Aabb { min, max } = header::bounds_of(self.bytes);
+        let bounds = header::bounds_of(self.bytes);
         if point.iter().any(|component| component.is_nan()) {
-            return Beyond { nearest: min, distance: f32::NAN, direction: [f32::NAN; 3] };
+            return Beyond { nearest: bounds.min, distance: f32::NAN, direction: [f32::NAN; 3] };
         }
         if point.iter().any(|component| component.is_infinite()) {
             let toward = point.map(|x| if x.is_infinite() { 1.0_f32.copysign(x) } else { 0.0 });
-            return Beyond { nearest: min, distance: f32::INFINITY, direction: math::length_and_direction(toward).1 };
+            return Beyond {
+                nearest: bounds.min,
+                distance: f32::INFINITY,
+                direction: math::length_and_direction(toward).1,
+            };
         }
 
-        let nearest = [0, 1, 2].map(|axis: usize| point[axis].max(min[axis]).min(max[axis]));
+        let nearest = march::nearest(bounds, point);
         let away = [0, 1, 2].map(|axis: usize| point[axis] - nearest[axis]);
         let (distance, direction) = math::length_and_direction(away);
         Beyond { nearest, distance, direction }

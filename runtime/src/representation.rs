@@ -175,6 +175,14 @@ impl<'a> Shape<'a> for Grid<'a> {
         self.evaluate(cell, local)
     }
 
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        self.values(points, values);
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.evaluate_each(points, values, gradients);
+    }
+
     #[inline]
     fn kind(&self) -> Kind<'_, 'a> {
         Kind::Grid(self)
@@ -205,6 +213,14 @@ impl<'a> Shape<'a> for Octree<'a> {
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         let (leaf, local) = self.locate(point);
         self.evaluate(&leaf, local)
+    }
+
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        self.values(points, values);
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.evaluate_each(points, values, gradients);
     }
 
     #[inline]
