@@ -145,8 +145,8 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         beyond.map_or(answer, |beyond| beyond.answer(answer.0))
     }
 
-    /// [`distance`](Self::distance) at each point, to the bit, and faster than one by one. Stops at the shorter slice;
-    /// returns how many distances it wrote.
+    /// [`distance`](Self::distance) at each point, to the bit. Faster than one by one where points follow one another in a
+    /// leaf, as along rows. Stops at the shorter slice; returns how many distances it wrote.
     pub fn distances(&self, points: &[[f32; 3]], distances: &mut [f32]) -> usize {
         let count = points.len().min(distances.len());
         let mut done = 0;
@@ -164,8 +164,8 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         count
     }
 
-    /// [`distance_and_gradient`](Self::distance_and_gradient) at each point, to the bit, and faster than one by one. Stops
-    /// at the shortest slice; returns how many answers it wrote.
+    /// [`distance_and_gradient`](Self::distance_and_gradient) at each point, to the bit. Faster than one by one where
+    /// points follow one another in a leaf, as along rows. Stops at the shortest slice; returns how many answers it wrote.
     pub fn distances_and_gradients(
         &self,
         points: &[[f32; 3]],

@@ -30,7 +30,10 @@ pub trait Shape<'a>: Copy {
     /// Value and gradient at a point of the box.
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]);
 
+    // Batches are inlined everywhere: what nobody calls is then not compiled, and single queries keep one caller and its frame.
+
     /// Value at each of the points of the box, of which there are no more than `values`, to the bit that of [`value`](Self::value).
+    #[inline]
     fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
         for (&point, value) in points.iter().zip(values) {
             *value = self.value(point);
@@ -38,6 +41,7 @@ pub trait Shape<'a>: Copy {
     }
 
     /// Value and gradient at each of the points of the box, of which there are no more than of either, to the bit those of [`evaluate`](Self::evaluate).
+    #[inline]
     fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
         for (&point, (value, gradient)) in points.iter().zip(values.iter_mut().zip(gradients)) {
             (*value, *gradient) = self.evaluate(point);
@@ -117,6 +121,7 @@ impl<'a> Shape<'a> for Any<'a> {
         }
     }
 
+    #[inline]
     fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
         match self {
             Self::Grid(grid) => grid.values(points, values),
@@ -125,6 +130,7 @@ impl<'a> Shape<'a> for Any<'a> {
         }
     }
 
+    #[inline]
     fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
         match self {
             Self::Grid(grid) => grid.evaluate_each(points, values, gradients),
@@ -247,10 +253,12 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
         self.query(point, true).split()
     }
 
+    #[inline]
     fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
         self.query_each(points, values, None);
     }
 
+    #[inline]
     fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
         self.query_each(points, values, Some(gradients));
     }
