@@ -47,6 +47,19 @@ fn valid_vectors_are_accepted() {
     }
 }
 
+/// A weight that is held between 0 and 1 before its slope is known has a slope of exactly 0 beyond its support.
+#[test]
+fn at_the_edge_of_a_support_the_gradient_is_that_of_the_other_leaves() {
+    let bytes = read(&folder("valid"), "polynomial_unused_shape.nfd");
+    let field = Field::open(&bytes).expect("a field");
+    // Both from the reference reader.
+    let (distance, gradient) = field.distance_and_gradient([1.800038, 3.8271208, 4.2475243]);
+    assert_close(distance, 1.035_415_9, 5.2e-5, "distance");
+    for (component, expected) in gradient.into_iter().zip([-0.882_982_25, -0.112_343_04, -0.454_400_4]) {
+        assert_close(component, expected, 1e-3, "gradient");
+    }
+}
+
 #[test]
 fn valid_vectors_answer_as_expected() {
     for name in names(&folder("valid")) {

@@ -315,6 +315,9 @@ fn usage_errors_end_with_2() {
         "--start-depth 6 --max-depth 5",
         "--interpolant trilinear --continuity c1",
         "--interpolant quartic",
+        "--termination simpson",
+        "--layout grid --termination simpson",
+        "--layout grid --order 2 --sampling fitted",
         "--threads 0",
         "--samples 0",
         "--no-such-flag",
@@ -324,6 +327,11 @@ fn usage_errors_end_with_2() {
     bench.run("bake cube.obj").fails(2, &["--output"]);
     bench.run("slice cube.nfd -o s.png --resolution 0").fails(2, &["--resolution"]);
     bench.run("slice cube.nfd -o s.png --at nowhere").fails(2, &["--at"]);
+    bench.run("slice cube.nfd -o s.png --normal 0,0,0").fails(2, &["--normal", "length"]);
+    bench.run("slice cube.nfd -o s.png --normal 1,0,0 --at 3").fails(2, &["--at", "--normal"]);
+    bench.run("slice cube.nfd -o s.png --origin 1,0,0").fails(2, &["--normal"]);
+    bench.run("slice cube.nfd -o s.png --error-map").fails(2, &["--mesh"]);
+    bench.run("render cube.nfd -o r.png --mesh-up z").fails(2, &["--mesh"]);
     bench.run("verify cube.nfd --mesh cube.obj --samples 10").fails(2, &["--samples"]);
     bench.run("bake cube.obj -o ./cube.obj").fails(2, &["overwrite"]);
     bench.run("bake cube.obj -o out --report out").fails(2, &["same place"]);
@@ -449,6 +457,34 @@ fn a_mesh_is_inspected_before_it_is_baked() {
         ["12 triangles", "pieces            1", "from pseudonormals, for the surface is closed", "median 1.000"]
     {
         assert!(inspect.succeeds().stdout().contains(words), "no {words:?} in {}", inspect.stdout());
+    }
+
+    // A wall a thousandth thick is too thin for a coarse target; a cube within the cube is nested.
+    let flat = CUBE.replace("v 1 1 1", "v 1 1 0.001").replace("v 0 1 1", "v 0 1 0.001");
+    let flat = flat.replace("v 1 0 1", "v 1 0 0.001").replace("v 0 0 1", "v 0 0 0.001");
+    bench.write("flat.obj", flat);
+    for (error, lost) in [("1e-5", 0.0), ("1e-3", 1.0)] {
+        let inspect = bench.run(&format!("inspect flat.obj --json --error {error}"));
+        let report: serde_json::Value = serde_json::from_slice(&inspect.succeeds().output.stdout).expect("JSON");
+        let share = report["thickness"]["too_thin_for_target"].as_f64().expect("a share");
+        assert!((share - lost).abs() < 0.05, "{error}: {share}");
+        assert_eq!(report["nested_shells"], 0);
+    }
+    let inner: String = (0..8)
+        .map(|corner| {
+            let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 1 { 0.75 } else { 0.25 });
+            format!("v {x} {y} {z}\n")
+        })
+        .collect();
+    let faces = CUBE.lines().filter(|line| line.starts_with('f')).map(|line| {
+        let corners = line[2..].split(' ').map(|corner| (8 + corner.parse::<u32>().expect("a number")).to_string());
+        format!("f {}\n", corners.collect::<Vec<_>>().join(" "))
+    });
+    bench.write("nested.obj", format!("{CUBE}{inner}{}", faces.collect::<String>()));
+    let inspect = bench.run("inspect nested.obj");
+    assert!(inspect.succeeds().stdout().contains("1 shells within shells"), "{}", inspect.stdout());
+    for name in ["flat.obj", "nested.obj"] {
+        fs::remove_file(bench.path(name)).expect("it is removed");
     }
 
     // A copy, a triangle turned over, one missing.

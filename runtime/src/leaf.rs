@@ -92,6 +92,16 @@ impl<'a> Octree<'a> {
         self.evaluate_between(leaf, &jets, local)
     }
 
+    /// What a leaf interpolates: at each of its corners the value and its derivatives by local coordinates, mesh units.
+    ///
+    /// Both the corners and, at each, the derivatives are counted by `4 x + 2 y + z`: corner 6 is that of greatest x and
+    /// y, and its derivative 6 is the one by x and y. Trilinear leaves have values only; their derivatives mean nothing.
+    pub fn corners(&self, leaf: &Leaf) -> [[f32; 8]; 8] {
+        let mut jets = Jets::default();
+        self.read_corners(leaf, &mut jets);
+        jets
+    }
+
     /// Value between the corners of a leaf.
     #[inline(never)]
     pub(crate) fn value_between(&self, jets: &Jets, local: [f32; 3]) -> f32 {

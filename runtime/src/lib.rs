@@ -51,6 +51,7 @@ struct Guide;
 
 mod bytes;
 mod checksum;
+mod coefficient_code;
 mod cursor;
 mod error;
 mod field;
@@ -70,8 +71,10 @@ mod math;
 mod octree;
 mod octree_batch;
 mod polynomial;
+mod polynomial_batch;
 mod polynomial_leaf;
 mod polynomial_octree;
+mod polynomial_rows;
 mod range;
 mod reconstruct;
 mod region;

@@ -247,6 +247,14 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
         self.query(point, true).split()
     }
 
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        self.query_each(points, values, None);
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.query_each(points, values, Some(gradients));
+    }
+
     #[inline]
     fn kind(&self) -> Kind<'_, 'a> {
         Kind::Polynomial(self)

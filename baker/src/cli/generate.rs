@@ -1,6 +1,8 @@
 //! `nearfield generate`: what packages of this program install beside it.
 
 use super::bake_report::BakeReport;
+use super::batch_report::BatchReport;
+use super::diff::DiffReport;
 use super::exit_code::Failure;
 use super::{CommandLine, files, print, to_json};
 use clap::{Args, CommandFactory, Subcommand};
@@ -8,7 +10,7 @@ use clap_complete::Shell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Write man pages, shell completions, or the schema of reports
+/// Write man pages, shell completions, or the schemas of reports
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -35,6 +37,10 @@ enum What {
     },
     /// The JSON Schema of `bake --report`, on standard output
     ReportSchema,
+    /// The JSON Schema of `batch --report`, on standard output
+    BatchSchema,
+    /// The JSON Schema of `diff --json`, on standard output
+    DiffSchema,
 }
 
 impl Generate {
@@ -47,6 +53,8 @@ impl Generate {
                 print(&String::from_utf8_lossy(&text))
             }
             What::ReportSchema => print(&to_json(&schemars::schema_for!(BakeReport))),
+            What::BatchSchema => print(&to_json(&schemars::schema_for!(BatchReport))),
+            What::DiffSchema => print(&to_json(&schemars::schema_for!(DiffReport))),
         }
     }
 }
