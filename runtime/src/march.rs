@@ -143,7 +143,9 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
 pub(crate) fn nearest(bounds: Aabb, point: [f32; 3]) -> [f32; 3] {
     let mut nearest = point;
     for ((part, min), max) in nearest.iter_mut().zip(bounds.min).zip(bounds.max) {
-        *part = part.max(min).min(max);
+        // Each comparison is false for a NaN.
+        let above = if *part > min { *part } else { min };
+        *part = if above < max { above } else { max };
     }
     nearest
 }

@@ -153,7 +153,7 @@ impl<'a> Octree<'a> {
     /// Only the subtraction of the box's corner and the product round: the cell and the local
     /// coordinates follow from the product exactly. A point on a face between leaves belongs to
     /// the greater one.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn locate(&self, point: [f32; 3]) -> (Leaf, [f32; 3]) {
         let position = self.lattice.position(point);
         let leaf = self.leaf_in(self.lattice.cell_of(position));

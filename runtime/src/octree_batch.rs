@@ -31,6 +31,14 @@ impl<'a> Octree<'a> {
         });
     }
 
+    #[inline(never)]
+    fn find(&self, points: &[[f32; 3]], places: &mut [Option<Place<'a>>; CHUNK]) {
+        for (place, &point) in places.iter_mut().zip(points) {
+            let (leaf, local) = self.locate(point);
+            *place = Some((leaf, local, self.block(&leaf)));
+        }
+    }
+
     /// Calls for each point and answer with the leaf, its corners and where in it the point is.
     #[inline]
     fn each_place<T>(
@@ -42,11 +50,8 @@ impl<'a> Octree<'a> {
     ) {
         let mut last = None;
         for points in points.chunks(CHUNK) {
-            let mut places: [Option<Place<'a>>; CHUNK] = [None; CHUNK];
-            for (place, &point) in places.iter_mut().zip(points) {
-                let (leaf, local) = self.locate(point);
-                *place = Some((leaf, local, self.block(&leaf)));
-            }
+            let mut places = [None; CHUNK];
+            self.find(points, &mut places);
             for ((leaf, local, block), part) in places.iter().flatten().zip(&mut answers) {
                 if last != Some(*leaf) {
                     self.read_block(leaf, block, jets);
