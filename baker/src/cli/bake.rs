@@ -353,7 +353,9 @@ fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
         BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),
-        BakeError::Encode(_) | BakeError::Budget { .. } => Failure::Budget(format!("{}: {error}", mesh.display())),
+        BakeError::Encode(_) | BakeError::Budget { .. } | BakeError::Unkept(_) | BakeError::Exceeded { .. } => {
+            Failure::Budget(format!("{}: {error}", mesh.display()))
+        }
         BakeError::Rejected(_) => Failure::Field(error.to_string()),
     }
 }
