@@ -3,13 +3,13 @@
 //! `cargo run --release -p conformance --bin papers -- [MESHES] OUTPUT.md`: MESHES is a folder with
 //! `stanford-bunny.obj`, `armadillo.obj` and `sponza.obj`; the repository's own Spot stands in for the first two.
 
-mod chart;
 mod first_order;
 mod higher_order;
 mod measure;
 mod octree;
 mod shapes;
 
+use nearfield_bake::picture::chart;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 

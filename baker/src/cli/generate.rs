@@ -2,6 +2,7 @@
 
 use super::bake_report::BakeReport;
 use super::exit_code::Failure;
+use super::pareto_report::ParetoReport;
 use super::{CommandLine, files, print, to_json};
 use clap::{Args, CommandFactory, Subcommand};
 use clap_complete::Shell;
@@ -35,6 +36,8 @@ enum What {
     },
     /// The JSON Schema of `bake --report`, on standard output
     ReportSchema,
+    /// The JSON Schema of `bake --pareto`, on standard output
+    ParetoSchema,
 }
 
 impl Generate {
@@ -47,6 +50,7 @@ impl Generate {
                 print(&String::from_utf8_lossy(&text))
             }
             What::ReportSchema => print(&to_json(&schemars::schema_for!(BakeReport))),
+            What::ParetoSchema => print(&to_json(&schemars::schema_for!(ParetoReport))),
         }
     }
 }
