@@ -45,24 +45,31 @@ fn errors_keep_their_share_of_the_target_and_faces_do_not_show() {
     }
 }
 
-#[test]
-fn the_reader_answers_the_blend_of_the_leaves() {
+/// An octree of Spot as the baker has it, and its bytes.
+fn octree_and_bytes(error: f64, continuity: Continuity) -> (PolynomialOctree, Vec<u8>) {
     let mesh = spot();
     let distance = SignedDistance::new(&mesh, SignMethod::Pseudonormal);
     let diagonal = mesh.bounds.diagonal();
+    let polynomial = PolynomialSettings::default();
+    let settings = Settings { continuity, ..with_error(error, polynomial) };
+    let octree = PolynomialOctree::build(&distance, &mesh.bounds, &settings, &polynomial, diagonal, &Silent);
+    let octree = octree.expect("no greatest error is asked for");
+    let provenance = Provenance {
+        mesh_hash: [0; 16],
+        settings_hash: [0; 8],
+        sign_method: 1,
+        diagonal,
+        target_error: error * diagonal,
+    };
+    let bytes = encode_polynomial(&octree, &provenance).expect("it fits the format");
+    (octree, bytes)
+}
+
+#[test]
+fn the_reader_answers_the_blend_of_the_leaves() {
+    let diagonal = spot().bounds.diagonal();
     for continuity in [Continuity::None, Continuity::C1] {
-        let polynomial = PolynomialSettings::default();
-        let settings = Settings { continuity, ..with_error(2e-3, polynomial) };
-        let octree = PolynomialOctree::build(&distance, &mesh.bounds, &settings, &polynomial, diagonal, &Silent);
-        let octree = octree.expect("no greatest error is asked for");
-        let provenance = Provenance {
-            mesh_hash: [0; 16],
-            settings_hash: [0; 8],
-            sign_method: 1,
-            diagonal,
-            target_error: 2e-3 * diagonal,
-        };
-        let bytes = encode_polynomial(&octree, &provenance).expect("it fits the format");
+        let (octree, bytes) = octree_and_bytes(2e-3, continuity);
         let field = Field::open(&bytes).expect("a field");
         assert_eq!(field.validate(), Ok(()), "{continuity:?}");
 
@@ -81,6 +88,44 @@ fn the_reader_answers_the_blend_of_the_leaves() {
         // Without overlap a point within rounding of a face may belong to the leaf on either side.
         assert!(off <= if continuity == Continuity::None { 2 } else { 0 }, "{continuity:?}: {off} answers differ");
     }
+}
+
+/// The reader looks beyond the faces of a leaf; what it is compared with adds up all leaves that touch it.
+#[test]
+fn beyond_the_faces_of_a_deep_field_no_leaf_is_missed() {
+    let diagonal = spot().bounds.diagonal();
+    let (octree, bytes) = octree_and_bytes(3e-4, Continuity::C1);
+    let field = Field::open(&bytes).expect("a field");
+    let polynomials = field.polynomial_octree().expect("an octree of polynomials");
+    let blend = Blend::new(&octree.cells, &octree.reaches, octree.overlap, &octree.steps);
+    let bounds = polynomials.bounds();
+    let (min, max) = (DVec3::from(bounds.min.map(f64::from)), DVec3::from(bounds.max.map(f64::from)));
+    let lattice = DVec3::from(polynomials.lattice().map(f64::from));
+
+    let (mut points, mut turned, mut least_edge, mut greatest_edge) = (0, 0, u32::MAX, 0);
+    for (index, leaf) in polynomials.leaves().enumerate() {
+        let mut draws = Draws::new(9, 15, index as u64);
+        (least_edge, greatest_edge) = (least_edge.min(leaf.edge), greatest_edge.max(leaf.edge));
+        // Near its faces, edges and corners, on either side: as far as any support reaches.
+        let mut local = DVec3::new(draws.unit(), draws.unit(), draws.unit());
+        for axis in 0..3 {
+            if draws.unit() < 0.6 {
+                local[axis] = (2.0 * draws.unit()).floor() + 0.5 * (draws.unit() - 0.5);
+            }
+        }
+        let cells = DVec3::from(leaf.cell.map(f64::from)) + f64::from(leaf.edge) * local;
+        let point = (min + (max - min) * cells.clamp(DVec3::ZERO, lattice) / lattice).as_vec3();
+        let point = point.clamp(bounds.min.into(), bounds.max.into());
+
+        let (found, slope) = field.distance_and_gradient(point.to_array());
+        let (wanted, wanted_slope) = blend.evaluate(point.as_dvec3());
+        assert!((f64::from(found) - wanted).abs() <= 1e-6 * diagonal, "{found} is not {wanted} at {point}");
+        // At a crease within a leaf rounding decides on which side a point is.
+        turned += usize::from((DVec3::from(slope.map(f64::from)) - wanted_slope).length() > 1e-3);
+        points += 1;
+    }
+    assert!(greatest_edge >= 16 * least_edge, "leaves of edges {least_edge} to {greatest_edge}");
+    assert!(turned * 1000 <= points, "{turned} of {points} gradients differ");
 }
 
 #[test]

@@ -1,5 +1,7 @@
+use crate::support::numbers::Numbers;
 use crate::vectors::{folder, manifest, names, read};
-use nearfield::{Error, Family, Field};
+use glam::{DVec3, Vec3};
+use nearfield::{Aabb, Error, Family, Field};
 use serde::Deserialize;
 
 /// An answer as stored beside a vector: what JSON cannot say is a string.
@@ -45,6 +47,19 @@ fn valid_vectors_are_accepted() {
     }
 }
 
+/// A weight that is held between 0 and 1 before its slope is known has a slope of exactly 0 beyond its support.
+#[test]
+fn at_the_edge_of_a_support_the_gradient_is_that_of_the_other_leaves() {
+    let bytes = read(&folder("valid"), "polynomial_unused_shape.nfd");
+    let field = Field::open(&bytes).expect("a field");
+    // Both from the reference reader.
+    let (distance, gradient) = field.distance_and_gradient([1.800038, 3.8271208, 4.2475243]);
+    assert_close(distance, 1.035_415_9, 5.2e-5, "distance");
+    for (component, expected) in gradient.into_iter().zip([-0.882_982_25, -0.112_343_04, -0.454_400_4]) {
+        assert_close(component, expected, 1e-3, "gradient");
+    }
+}
+
 #[test]
 fn valid_vectors_answer_as_expected() {
     for name in names(&folder("valid")) {
@@ -66,6 +81,39 @@ fn valid_vectors_answer_as_expected() {
             let is_octree = field.header().family == Family::Octree;
             if is_octree && (0..3).all(|axis| (bounds.min[axis]..=bounds.max[axis]).contains(&point[axis])) {
                 assert_eq!(distance.to_bits(), answer.distance.value().to_bits(), "{place}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_batch_answers_as_its_points_do_alone() {
+    for name in names(&folder("valid")) {
+        let bytes = read(&folder("valid"), &name);
+        let field = Field::open(&bytes).expect("a field");
+        let Aabb { min, max } = field.header().bounds;
+        let mut numbers = Numbers::new(3);
+        // Points of a row after those of the vector: some leaves hold several, and some are outside.
+        let mut points: Vec<[f32; 3]> =
+            answers(&name).iter().map(|answer| answer.point.each_ref().map(Number::value)).collect();
+        for _ in 0..7 {
+            let (start, end) =
+                (numbers.point(DVec3::ZERO, DVec3::ONE), numbers.point(DVec3::splat(-0.2), DVec3::splat(1.2)));
+            let part = |step: i32| (start + (end - start) * (f64::from(step) / 30.0)).as_vec3();
+            let (min, max) = (Vec3::from(min), Vec3::from(max));
+            points.extend((0..=30).map(|step| (min + part(step) * (max - min)).to_array()));
+        }
+        for count in [points.len(), 33, 16, 15, 1] {
+            let points = &points[points.len() - count..];
+            let (mut alone, mut distances, mut gradients) = (vec![0.0; count], vec![0.0; count], vec![[0.0; 3]; count]);
+            assert_eq!(field.distances(points, &mut alone), count);
+            assert_eq!(field.distances_and_gradients(points, &mut distances, &mut gradients), count);
+            for (index, &point) in points.iter().enumerate() {
+                let (distance, gradient) = field.distance_and_gradient(point);
+                let place = format!("{name} at {point:?}, of {count}");
+                assert_eq!(alone[index].to_bits(), distance.to_bits(), "{place}");
+                assert_eq!(distances[index].to_bits(), distance.to_bits(), "{place}");
+                assert_eq!(gradients[index].map(f32::to_bits), gradient.map(f32::to_bits), "{place}");
             }
         }
     }

@@ -1,6 +1,7 @@
 use crate::shapes;
 use nearfield::{Field, Leaf, Octree};
 use nearfield_bake::bake;
+use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
 
@@ -89,6 +90,46 @@ fn compare(octree: &Octree<'_>, leaf: &Leaf, other: &Leaf, local: [f32; 3], jump
     jump.value_in_quanta = jump.value_in_quanta.max(difference / octree.quantum(leaf.level));
     for axis in 0..3 {
         jump.gradient = jump.gradient.max((gradient[axis] - other_gradient[axis]).abs());
+    }
+}
+
+/// Meshes that bend, have edges, thin parts and parts that are far from each other.
+fn test_set() -> [(&'static str, CheckedMesh); 4] {
+    let of_file = |name| (name, shapes::read(name));
+    [of_file("bob_small.ply"), of_file("spot.ply"), ("cuboid", shapes::cuboid()), ("sphere", shapes::sphere(3).0)]
+}
+
+/// Not at points but everywhere, on every face between leaves of every mesh: see [`SeamBound`].
+#[test]
+fn no_face_of_the_test_set_jumps_by_more_than_rounding() {
+    for (name, mesh) in test_set() {
+        let diagonal = mesh.bounds.diagonal();
+        for (interpolant, continuity) in
+            [(Interpolant::Trilinear, Continuity::C0), (Interpolant::Tricubic, Continuity::C1)]
+        {
+            for precision in [Precision::Packed32, Precision::F16, Precision::F32] {
+                let error = Target::Relative(3e-3);
+                let settings = Settings {
+                    error,
+                    interpolant,
+                    continuity,
+                    precision,
+                    max_depth: 6,
+                    samples: 1_000,
+                    ..Settings::default()
+                };
+                let baked = bake(&mesh, &settings, &Silent).expect("the mesh bakes");
+                let measured = baked.report.measurement.seams;
+                let bound = measured.bound.expect("an octree of interpolants");
+                let field = Field::open(&baked.bytes).expect("a field");
+
+                assert!(bound.uneven_faces > 200, "{name}: {bound:?}: too few T-junctions to tell");
+                assert!(bound.value <= 1e-6 * diagonal || bound.quanta <= 1.0, "{name} {precision:?}: {bound:?}");
+                // Rounding the derivatives of hanging corners to half floats is all that remains.
+                assert!(bound.gradient.is_none_or(|gradient| gradient <= 1e-3), "{name} {precision:?}: {bound:?}");
+                assert!(f64::from(field.contract().seam_max) >= 0.999_999 * bound.value, "the header owns up to it");
+            }
+        }
     }
 }
 

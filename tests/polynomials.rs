@@ -132,6 +132,38 @@ fn a_cursor_answers_as_the_field_does() {
     }
 }
 
+/// Rows along x, which stay in a leaf for a while and now and then leave the box, and every so often a point elsewhere.
+#[test]
+fn a_batch_answers_as_single_points_do() {
+    for overlap in [0.0, 0.2] {
+        let octree = fit(overlap).octree();
+        let bytes = octree.file().bytes();
+        let field = Field::open(&bytes).expect("a field");
+        let extent = f64::from(u32::from(ROOTS) << octree.depth);
+        let mut numbers = Numbers::new(9);
+        let mut points = Vec::new();
+        for row in 0..200 {
+            let start = numbers.point(DVec3::ZERO, DVec3::splat(extent));
+            for index in -5..205 {
+                points.push(point(&octree, DVec3::new(f64::from(index) / 200.0 * extent, start.y, start.z)).0);
+                if (index + row) % 17 == 0 {
+                    points.push(point(&octree, numbers.point(DVec3::ZERO, DVec3::splat(extent))).0);
+                }
+            }
+        }
+        let (mut distances, mut again) = (vec![f32::NAN; points.len()], vec![f32::NAN; points.len()]);
+        let mut gradients = vec![[f32::NAN; 3]; points.len()];
+        assert_eq!(field.distances(&points, &mut distances), points.len());
+        assert_eq!(field.distances_and_gradients(&points, &mut again, &mut gradients), points.len());
+        for (index, &point) in points.iter().enumerate() {
+            let (distance, gradient) = field.distance_and_gradient(point);
+            assert_eq!(distances[index].to_bits(), distance.to_bits(), "{point:?}");
+            assert_eq!(again[index].to_bits(), distance.to_bits(), "{point:?}");
+            assert_eq!(gradients[index].map(f32::to_bits), gradient.map(f32::to_bits), "{point:?}");
+        }
+    }
+}
+
 #[test]
 fn the_leaves_fill_the_box() {
     let written = fit(0.2).octree();

@@ -14,6 +14,9 @@ use rayon::prelude::*;
 pub const SAMPLES: usize = 4_000;
 /// Thinner than so many of the smallest cells, a part of the mesh is lost on the field.
 const CELLS_ACROSS: f64 = 2.0;
+/// Thinner than so many targets, a wall may be lost whatever the cells: the greatest errors of fields are some 4.5 targets,
+/// and the middle of a wall is half its thickness inside.
+const TARGETS_ACROSS: f64 = 9.0;
 /// Doubtful places that are listed.
 const PLACES: usize = 64;
 
@@ -28,6 +31,8 @@ pub struct Inspection {
     pub rims: usize,
     /// Pieces that shared vertices connect and that no rim opens, with a negative volume: cavities of others.
     pub cavities: usize,
+    /// Closed pieces whose outer side is inside others: shells within shells that face the same way.
+    pub nested: usize,
     /// Triangles that were turned over for the sign.
     pub turned: usize,
     /// Triangles left out because others have the same corners.
@@ -57,6 +62,10 @@ pub struct Thickness {
     pub smallest_cell: f64,
     /// Share of the surface that is thinner than two such cells.
     pub too_thin: f64,
+    /// Target error of the settings.
+    pub target: f64,
+    /// Share of the surface that is thinner than nine targets: a field of this target may not have it.
+    pub too_thin_for_target: f64,
 }
 
 /// Looks at a mesh as it would be baked with these settings.
@@ -75,6 +84,7 @@ pub fn inspect(mesh: &CheckedMesh, settings: &Settings) -> Inspection {
         volume: pieces.iter().map(|piece| piece.volume).sum(),
         rims: mesh.rims(),
         cavities: pieces.iter().filter(|piece| piece.is_closed && piece.volume < 0.0).count(),
+        nested: distance.count_nested_shells(mesh),
         turned: mesh.orientation.count(Role::Turned),
         duplicates: mesh.orientation.count(Role::Duplicate),
         walls: mesh.orientation.count(Role::Wall),
@@ -112,12 +122,15 @@ fn thickness(mesh: &CheckedMesh, distance: &SignedDistance, settings: &Settings)
     let mut depths: Vec<f64> = depths.collect();
     depths.sort_unstable_by(f64::total_cmp);
     let quantile = |share: f64| depths.get((share * depths.len() as f64) as usize).copied();
-    let too_thin = depths.partition_point(|&depth| depth < CELLS_ACROSS * smallest_cell);
+    let share_below = |least: f64| depths.partition_point(|&depth| depth < least) as f64 / depths.len() as f64;
+    let target = settings.error.absolute(mesh.bounds.diagonal());
     Some(Thickness {
         p01: quantile(0.01)?,
         median: quantile(0.5)?,
         smallest_cell,
-        too_thin: too_thin as f64 / depths.len() as f64,
+        too_thin: share_below(CELLS_ACROSS * smallest_cell),
+        target,
+        too_thin_for_target: share_below(TARGETS_ACROSS * target),
     })
 }
 

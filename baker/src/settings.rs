@@ -6,7 +6,7 @@ use nearfield::layout::octree::MAX_DEPTH;
 use nearfield::layout::polynomial::{MAX_OVERLAP, MIN_OVERLAP};
 use thiserror::Error;
 
-/// The root mean square error asked of every leaf.
+/// The error asked of every leaf, a root mean square unless [`Termination`] says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     /// A fraction of the diagonal of the mesh's bounding box.
@@ -48,6 +48,21 @@ pub enum Continuity {
     C0,
     /// Value and gradient are continuous, up to rounding. Tricubic only.
     C1,
+}
+
+/// When a leaf of interpolants is good enough: how its error is estimated from the 27 samples at its corners
+/// and midpoints (Pujol and Chica 2023, section 5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Termination {
+    /// Root mean square by the trapezoid rule, the paper's choice.
+    Trapezoid,
+    /// Root mean square by Simpson's rule, which is exact where the squared error is cubic along each axis.
+    Simpson,
+    /// Root mean square by the trapezoid rule, of errors divided by their distance from the surface beyond
+    /// [`NEAR`] of the diagonal: what [`Profile::Surface`] is to polynomials.
+    ByDistance,
+    /// The greatest of the 27.
+    MaxError,
 }
 
 /// How the samples are stored.
@@ -98,7 +113,8 @@ pub enum Profile {
     Surface,
 }
 
-/// Within this share of the diagonal of the surface, tolerances of [`Profile::Surface`] are constant.
+/// Within this share of the diagonal of the surface, tolerances of [`Profile::Surface`] and [`Termination::ByDistance`] are
+/// constant.
 pub const NEAR: f64 = 0.02;
 
 /// What is asked of a grid.
@@ -147,6 +163,9 @@ pub enum Sampling {
     Taylor,
     /// Least squares over a fine grid around each sample.
     LeastSquares(FineGrid),
+    /// Least squares of the reconstruction over all cells at once, starting from the exact ones. Order 0 and 1; not
+    /// for the nearest sample.
+    Fitted,
 }
 
 /// The neighbourhood of a least-squares sample (Bán and Valasek 2020, section 4).
@@ -188,6 +207,8 @@ pub struct Settings {
     pub max_bytes: Option<u64>,
     /// Interpolant of the leaves.
     pub interpolant: Interpolant,
+    /// When a leaf of interpolants is good enough.
+    pub termination: Termination,
     /// Continuity across levels.
     pub continuity: Continuity,
     /// Storage of the samples.
@@ -211,6 +232,7 @@ impl Default for Settings {
             error: Target::Relative(5e-4),
             max_bytes: None,
             interpolant: Interpolant::Tricubic,
+            termination: Termination::Trapezoid,
             continuity: Continuity::C1,
             precision: Precision::Packed32,
             start_depth: 3,
@@ -259,6 +281,9 @@ pub enum SettingsError {
     /// Exact derivatives end with the gradient.
     #[error("exact derivatives end with the gradient: samples of order {0} are taken by least squares")]
     Taylor(u8),
+    /// What is fitted is linear in distances and gradients, and reaches from sample to sample.
+    #[error("fitted samples are of order 0 or 1, and of a reconstruction other than nearest")]
+    Fitted,
     /// A grid needs two samples along an axis, a fit more points than its order.
     #[error("a grid needs at least 2 samples along every axis")]
     Resolution,
@@ -307,6 +332,10 @@ impl GridSettings {
         match self.sampling {
             Sampling::Taylor if order > 1 => Err(SettingsError::Taylor(order)),
             Sampling::Taylor => Ok(()),
+            Sampling::Fitted if order > 1 || self.reconstruction == Reconstruction::Nearest => {
+                Err(SettingsError::Fitted)
+            }
+            Sampling::Fitted => Ok(()),
             Sampling::LeastSquares(fine) => {
                 let needed = (order + 1).max(2);
                 let positive = fine.extent.is_finite() && fine.extent > 0.0;

@@ -3,7 +3,7 @@
 mod support;
 
 use std::fs;
-use support::{Bench, CUBE, json};
+use support::{Bench, CUBE, Outcome, json};
 
 #[test]
 fn a_mesh_becomes_a_field_that_answers_and_keeps_its_contract() {
@@ -102,6 +102,72 @@ fn binary_points_give_binary_answers() {
     for (distance, answer) in distances.iter().zip(answers.chunks(4)) {
         assert_eq!(*distance, answer[0], "the gradient does not change the distance");
     }
+}
+
+#[test]
+fn rays_and_closest_points_meet_the_surface() {
+    let bench = Bench::new();
+    bench.bake_cube();
+    let rays: [[f32; 6]; 3] =
+        [[0.5, 0.4, 3.0, 0.0, 0.0, -2.0], [0.5, 0.4, 3.0, 0.0, 0.0, 1.0], [0.3, 0.6, -0.5, 0.1, 0.0, 0.9]];
+    let points: [[f32; 3]; 2] = [[0.5, 0.4, 0.9], [0.3, -0.05, 0.5]];
+    let bytes = |numbers: &[f32]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>();
+    let text = |numbers: &[f32]| numbers.iter().map(f32::to_string).collect::<Vec<_>>().join(" ") + "\n";
+    bench.write("rays.f32", bytes(rays.as_flattened()));
+    bench.write("points.f32", bytes(points.as_flattened()));
+    let ray_lines: String = rays.iter().map(|ray| text(ray)).collect();
+    let point_lines: String = points.iter().map(|point| text(point)).collect();
+
+    // Both ways and the field's own answers agree to the bit.
+    bench.run("raycast cube.nfd --rays rays.f32 -o hits.f32").succeeds();
+    let hits = floats(&fs::read(bench.path("hits.f32")).expect("the hits"));
+    let spoken = bench.run_with_input("raycast cube.nfd", ray_lines.as_bytes()).succeeds().stdout();
+    let field = fs::read(bench.path("cube.nfd")).expect("the field");
+    let field = nearfield::Field::open(&field).expect("a field");
+    assert_eq!(hits.len(), 8 * rays.len());
+    for ((ray, hit), line) in rays.iter().zip(hits.chunks(8)).zip(spoken.lines()) {
+        let &[x, y, z, u, v, w] = ray;
+        match field.raycast([x, y, z], [u, v, w], f32::INFINITY, 0.0) {
+            nearfield::Raycast::Hit(expected) => {
+                let [a, b, c] = expected.point;
+                let [d, e, f] = expected.normal;
+                assert_eq!(hit, [1.0, expected.distance, a, b, c, d, e, f]);
+                assert_eq!(line, format!("hit {}", text(&hit[1..]).trim_end()));
+            }
+            nearfield::Raycast::Miss { .. } => assert_eq!((hit, line), ([0.0; 8].as_slice(), "miss")),
+            nearfield::Raycast::OutOfSteps { clear } => panic!("out of steps at {clear}"),
+        }
+    }
+    assert_eq!(hits.iter().step_by(8).copied().collect::<Vec<f32>>(), [1.0, 0.0, 1.0]);
+    assert!((hits[1] - 2.0).abs() < 0.02, "the top of the cube is 2 below: {}", hits[1]);
+
+    bench.run("closest-point cube.nfd --points points.f32 -o ends.f32").succeeds();
+    let ends = floats(&fs::read(bench.path("ends.f32")).expect("the ends"));
+    let spoken = bench.run_with_input("closest-point cube.nfd", point_lines.as_bytes()).succeeds().stdout();
+    for ((&point, end), line) in points.iter().zip(ends.chunks(4)).zip(spoken.lines()) {
+        let nearfield::ClosestPoint { point: [x, y, z], residual, .. } = field.closest_point(point);
+        assert_eq!(end, [x, y, z, residual]);
+        assert_eq!(line, text(end).trim_end());
+    }
+
+    // In JSON, and shorter than the way to the cube.
+    let json = |outcome: Outcome| -> Vec<serde_json::Value> {
+        outcome.succeeds().stdout().lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+    };
+    let ends = json(bench.run_with_input("closest-point cube.nfd --json", point_lines.as_bytes()));
+    assert!(ends[0]["steps"].as_u64().expect("a number") >= 1 && ends[0]["point"][2].is_number(), "{}", ends[0]);
+    let hits = json(bench.run("raycast cube.nfd --rays rays.f32 --json --length 1"));
+    assert_eq!(
+        hits.iter().map(|hit| hit["end"].as_str()).collect::<Vec<_>>(),
+        [Some("miss"), Some("miss"), Some("hit")]
+    );
+    assert!(hits[2]["normal"][2].as_f64().expect("a number") < -0.9, "{}", hits[2]);
+    let distances = json(bench.run("query cube.nfd --points points.f32 --gradient --json"));
+    assert_eq!(distances[1]["gradient"].as_array().map(Vec::len), Some(3));
+
+    bench.run_with_input("raycast cube.nfd", b"0 0 0 1 0\n").fails(3, &["line 1", "dx dy dz"]);
+    bench.run("raycast cube.nfd --rays points.f32 --length 0 -o out.f32").succeeds();
+    bench.run("raycast cube.nfd --length -1").fails(2, &["--length"]);
 }
 
 fn floats(bytes: &[u8]) -> Vec<f32> {
@@ -249,6 +315,9 @@ fn usage_errors_end_with_2() {
         "--start-depth 6 --max-depth 5",
         "--interpolant trilinear --continuity c1",
         "--interpolant quartic",
+        "--termination simpson",
+        "--layout grid --termination simpson",
+        "--layout grid --order 2 --sampling fitted",
         "--threads 0",
         "--samples 0",
         "--no-such-flag",
@@ -258,6 +327,11 @@ fn usage_errors_end_with_2() {
     bench.run("bake cube.obj").fails(2, &["--output"]);
     bench.run("slice cube.nfd -o s.png --resolution 0").fails(2, &["--resolution"]);
     bench.run("slice cube.nfd -o s.png --at nowhere").fails(2, &["--at"]);
+    bench.run("slice cube.nfd -o s.png --normal 0,0,0").fails(2, &["--normal", "length"]);
+    bench.run("slice cube.nfd -o s.png --normal 1,0,0 --at 3").fails(2, &["--at", "--normal"]);
+    bench.run("slice cube.nfd -o s.png --origin 1,0,0").fails(2, &["--normal"]);
+    bench.run("slice cube.nfd -o s.png --error-map").fails(2, &["--mesh"]);
+    bench.run("render cube.nfd -o r.png --mesh-up z").fails(2, &["--mesh"]);
     bench.run("verify cube.nfd --mesh cube.obj --samples 10").fails(2, &["--samples"]);
     bench.run("bake cube.obj -o ./cube.obj").fails(2, &["overwrite"]);
     bench.run("bake cube.obj -o out --report out").fails(2, &["same place"]);
@@ -275,7 +349,7 @@ fn help_names_every_exit_code_and_every_command_has_an_example() {
     for code in 0..=6 {
         assert!(help.contains(&format!("\n  {code}  ")), "no exit code {code} in {help}");
     }
-    for command in ["bake", "info", "query", "verify", "slice", "bench"] {
+    for command in ["bake", "info", "query", "raycast", "closest-point", "verify", "slice", "bench"] {
         assert!(help.contains(command), "no {command} in {help}");
         let help = bench.run(&format!("{command} --help")).succeeds().stdout();
         assert!(help.contains("Example") && help.contains(&format!("nearfield {command} ")), "{help}");
@@ -383,6 +457,34 @@ fn a_mesh_is_inspected_before_it_is_baked() {
         ["12 triangles", "pieces            1", "from pseudonormals, for the surface is closed", "median 1.000"]
     {
         assert!(inspect.succeeds().stdout().contains(words), "no {words:?} in {}", inspect.stdout());
+    }
+
+    // A wall a thousandth thick is too thin for a coarse target; a cube within the cube is nested.
+    let flat = CUBE.replace("v 1 1 1", "v 1 1 0.001").replace("v 0 1 1", "v 0 1 0.001");
+    let flat = flat.replace("v 1 0 1", "v 1 0 0.001").replace("v 0 0 1", "v 0 0 0.001");
+    bench.write("flat.obj", flat);
+    for (error, lost) in [("1e-5", 0.0), ("1e-3", 1.0)] {
+        let inspect = bench.run(&format!("inspect flat.obj --json --error {error}"));
+        let report: serde_json::Value = serde_json::from_slice(&inspect.succeeds().output.stdout).expect("JSON");
+        let share = report["thickness"]["too_thin_for_target"].as_f64().expect("a share");
+        assert!((share - lost).abs() < 0.05, "{error}: {share}");
+        assert_eq!(report["nested_shells"], 0);
+    }
+    let inner: String = (0..8)
+        .map(|corner| {
+            let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 1 { 0.75 } else { 0.25 });
+            format!("v {x} {y} {z}\n")
+        })
+        .collect();
+    let faces = CUBE.lines().filter(|line| line.starts_with('f')).map(|line| {
+        let corners = line[2..].split(' ').map(|corner| (8 + corner.parse::<u32>().expect("a number")).to_string());
+        format!("f {}\n", corners.collect::<Vec<_>>().join(" "))
+    });
+    bench.write("nested.obj", format!("{CUBE}{inner}{}", faces.collect::<String>()));
+    let inspect = bench.run("inspect nested.obj");
+    assert!(inspect.succeeds().stdout().contains("1 shells within shells"), "{}", inspect.stdout());
+    for name in ["flat.obj", "nested.obj"] {
+        fs::remove_file(bench.path(name)).expect("it is removed");
     }
 
     // A copy, a triangle turned over, one missing.

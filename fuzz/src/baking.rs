@@ -10,7 +10,7 @@ use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::settings::{
     Continuity, FineGrid, GridSettings, Interpolant, Layout, PolynomialSettings, Precision, Profile, RangeScope,
-    Reconstruction, Resolution, Sampling, Settings, Target,
+    Reconstruction, Resolution, Sampling, Settings, Target, Termination,
 };
 
 /// Fresh points a field is asked at.
@@ -85,6 +85,12 @@ fn settings(numbers: &mut Numbers<'_>) -> Settings {
         layout,
         error: Target::Relative((f64::from(numbers.next()) + 1.0) / 2000.0),
         interpolant: numbers.one_of(&[Interpolant::Trilinear, Interpolant::Tricubic]),
+        termination: numbers.one_of(&[
+            Termination::Trapezoid,
+            Termination::Simpson,
+            Termination::ByDistance,
+            Termination::MaxError,
+        ]),
         continuity: numbers.one_of(&[Continuity::None, Continuity::C0, Continuity::C1]),
         precision: numbers.one_of(&[Precision::Packed32, Precision::F16, Precision::F32]),
         start_depth,
@@ -122,7 +128,7 @@ fn grid(numbers: &mut Numbers<'_>) -> GridSettings {
             Reconstruction::Blend,
             Reconstruction::Hermite,
         ]),
-        sampling: numbers.one_of(&[Sampling::Taylor, Sampling::LeastSquares(fine)]),
+        sampling: numbers.one_of(&[Sampling::Taylor, Sampling::LeastSquares(fine), Sampling::Fitted]),
         range: numbers.one_of(&[RangeScope::File, RangeScope::Brick]),
     }
 }

@@ -8,7 +8,8 @@ use std::process::ExitCode;
 use nearfield::Field;
 
 const KINDS: &str = "distance, gradient, unblended, row-distance, row-gradient, cursor-distance, cursor-gradient, \
-                     centre-distance, centre-gradient";
+                     centre-distance, centre-gradient, sorted-gradient, batch-gradient, row-batch-distance, \
+                     row-batch-gradient, sorted-batch-gradient";
 
 /// Points of a row across the box, and of a walk about the middle of a leaf.
 const ROW: usize = 1000;
@@ -35,13 +36,18 @@ fn main() -> ExitCode {
         "gradient" => every(&scattered(&field, count), |point| field.distance_and_gradient(point)),
         "row-distance" => every(&rows(&field, count), |point| field.distance(point)),
         "row-gradient" => every(&rows(&field, count), |point| field.distance_and_gradient(point)),
+        "sorted-gradient" => every(&sorted(&field, count), |point| field.distance_and_gradient(point)),
+        "sorted-batch-gradient" => batch(&field, &sorted(&field, count), true),
+        "batch-gradient" => batch(&field, &scattered(&field, count), true),
+        "row-batch-distance" => batch(&field, &rows(&field, count), false),
+        "row-batch-gradient" => batch(&field, &rows(&field, count), true),
         "unblended" | "centre-distance" | "centre-gradient" if field.polynomial_octree().is_none() => {
             eprintln!("{kind} asks for an octree of polynomials");
             return ExitCode::FAILURE;
         }
         "unblended" => {
-            let octree = field.polynomial_octree();
-            every(&scattered(&field, count), |point| octree.and_then(|octree| octree.unblended(point)));
+            let octree = field.polynomial_octree().expect("an octree of polynomials");
+            every(&scattered(&field, count), |point| octree.unblended(point));
         }
         _ => {
             let points = if kind.starts_with("centre") { centres(&field, count) } else { rows(&field, count) };
@@ -57,6 +63,18 @@ fn main() -> ExitCode {
         }
     }
     ExitCode::SUCCESS
+}
+
+/// All points in one call.
+fn batch(field: &Field<'_>, points: &[[f32; 3]], with_gradient: bool) {
+    let (mut distances, mut gradients) = (vec![0.0; points.len()], vec![[0.0; 3]; points.len()]);
+    every(&[[0.0; 3]], |_| {
+        if with_gradient {
+            field.distances_and_gradients(points, &mut distances, &mut gradients)
+        } else {
+            field.distances(points, &mut distances)
+        }
+    });
 }
 
 /// What is counted: the queries and their loop.
@@ -88,6 +106,22 @@ fn within(field: &Field<'_>, parts: [f32; 3]) -> [f32; 3] {
 fn scattered(field: &Field<'_>, count: usize) -> Vec<[f32; 3]> {
     let mut number = numbers();
     (0..count).map(|_| within(field, [number(), number(), number()])).collect()
+}
+
+/// The same, those of a cube of 1/64 of the box after one another.
+fn sorted(field: &Field<'_>, count: usize) -> Vec<[f32; 3]> {
+    let bounds = field.header().bounds;
+    let mut points = scattered(field, count);
+    let cube = |point: &[f32; 3]| {
+        [2, 1, 0]
+            .map(|axis: usize| (64.0 * (point[axis] - bounds.min[axis]) / (bounds.max[axis] - bounds.min[axis])) as u8)
+    };
+    // The bits of the axes by turns, the highest first (Morton 1966).
+    points.sort_by_key(|point| {
+        let cube = cube(point);
+        (0..6).rev().fold(0_u32, |key, bit| cube.iter().fold(key, |key, part| key << 1 | u32::from(part >> bit & 1)))
+    });
+    points
 }
 
 /// Points of rows along x anywhere in the box.

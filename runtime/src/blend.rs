@@ -5,72 +5,71 @@
 
 use crate::lattice::{Leaf, Position};
 use crate::layout::leaf;
-use crate::legendre::Lanes;
+use crate::legendre::{self, Lanes};
 use crate::math;
-use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Question};
+use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Question, Workspace};
 use crate::polynomial_octree::{Node, Path, Place, PolynomialOctree};
 use crate::region::Region;
-
-/// The weight of a leaf at a point, and its derivatives by the leaf's local coordinates.
-#[derive(Clone, Copy)]
-struct Weight {
-    value: f32,
-    slope: Lanes,
-}
-
-impl Weight {
-    /// The weight at local coordinates, -1 to 1 within the leaf. `steepness` is half the leaf's edge over twice the
-    /// distance by which it reaches beyond its cell.
-    #[inline]
-    fn at(local: &Lanes, steepness: f32) -> Self {
-        let (mut step, mut slope) = ([0.0; 4], [0.0; 4]);
-        steps(local, steepness, &mut step, &mut slope);
-        let [x, y, z, _] = step;
-        let (yz, xz, xy) = (y * z, x * z, x * y);
-        Self { value: x * yz, slope: [slope[0] * yz, slope[1] * xz, slope[2] * xy, 0.0] }
-    }
-}
-
-/// The smooth step of each axis, and its derivative.
-#[inline(never)]
-fn steps(local: &Lanes, steepness: f32, step: &mut Lanes, slope: &mut Lanes) {
-    for (lane, &part) in local.iter().enumerate() {
-        let inside = 0.5 + (1.0 - part.abs()) * steepness;
-        let inside = if inside > 0.0 { inside } else { 0.0 };
-        let inside = if inside < 1.0 { inside } else { 1.0 };
-        step[lane] = (inside * inside) * (3.0 - 2.0 * inside);
-        slope[lane] = (6.0 * inside * (1.0 - inside)) * (-steepness).copysign(-part);
-    }
-}
 
 /// Sums over leaves.
 #[derive(Clone, Copy, Default)]
 struct Sums {
     weight: f32,
-    weight_slope: Lanes,
     /// Of the values by the weights. They are differences to that of the leaf that holds the point, which loses less to
     /// rounding.
     value: f32,
+    weight_slope: Lanes,
     /// Of the gradients by the weights, and of the values by the slopes of the weights.
     slope: Lanes,
 }
 
+/// How fast the weight of a leaf falls along an axis: half the leaf's edge over twice the distance by which it reaches
+/// beyond its cell.
+pub(crate) type Steepness = f32;
+
+/// The smooth step of an axis at a local coordinate, and its derivative.
+#[inline]
+pub(crate) fn step(local: f32, steepness: Steepness) -> (f32, f32) {
+    let inside = 0.5 + (1.0 - local.abs()) * steepness;
+    let inside = if inside > 0.0 { inside } else { 0.0 };
+    let inside = if inside < 1.0 { inside } else { 1.0 };
+    let slope = (6.0 * inside * (1.0 - inside)) * (-steepness).copysign(-local);
+    ((inside * inside) * (3.0 - 2.0 * inside), slope)
+}
+
 impl Sums {
+    /// Adds a leaf that answers a question with a value, and a gradient if asked for.
     #[inline]
-    fn add(&mut self, weight: &Weight, value: f32, question: &Question, gradient: &Lanes) {
-        self.weight += weight.value;
-        self.value += weight.value * value;
+    fn add(&mut self, question: &Question, steepness: Steepness, value: f32, gradient: &Lanes) {
         if question.with_gradient {
-            self.add_slopes(weight, value, question.per_half, gradient);
+            self.add_slopes(&question.local, steepness, question.per_half, value, gradient);
+        } else {
+            self.add_value(&question.local, steepness, value);
         }
     }
 
     #[inline(never)]
-    fn add_slopes(&mut self, weight: &Weight, value: f32, per_half: f32, gradient: &Lanes) {
-        for (lane, part) in gradient.iter().enumerate() {
-            let slope = weight.slope[lane] * per_half;
+    fn add_value(&mut self, &[x, y, z, _]: &Lanes, steepness: Steepness, value: f32) {
+        let yz = step(y, steepness).0 * step(z, steepness).0;
+        let weight = step(x, steepness).0 * yz;
+        self.weight += weight;
+        self.value += weight * value;
+    }
+
+    #[inline(never)]
+    fn add_slopes(&mut self, local: &Lanes, steepness: Steepness, per_half: f32, value: f32, gradient: &Lanes) {
+        let (mut steps, mut slopes) = ([0.0; 4], [0.0; 4]);
+        for lane in 0..4 {
+            (steps[lane], slopes[lane]) = step(local[lane], steepness);
+        }
+        let (next, previous) = (legendre::moved_back(steps), legendre::moved_on(steps));
+        let weight = steps[0] * (steps[1] * steps[2]);
+        self.weight += weight;
+        self.value += weight * value;
+        for lane in 0..4 {
+            let slope = (slopes[lane] * (next[lane] * previous[lane])) * per_half;
             self.weight_slope[lane] += slope;
-            self.slope[lane] += weight.value * part + slope * value;
+            self.slope[lane] += weight * gradient[lane] + slope * value;
         }
     }
 
@@ -87,32 +86,57 @@ impl Sums {
 }
 
 /// A leaf near a place: where it is, its edge as a power of two of finest cells, and one of those that it holds.
-struct Other {
-    leaf: u32,
-    shift: u32,
-    cell: [u32; 4],
+#[derive(Default)]
+pub(crate) struct Other {
+    pub(crate) leaf: u32,
+    pub(crate) shift: u32,
+    pub(crate) cell: [u32; 4],
 }
 
 /// A place near a face of its leaf, what that leaf answers there, and the sums over it and others.
 struct Blend<'b> {
     place: &'b Place,
+    /// How the leaf of the place is overlapped, what it is asked and what it answers.
     codes: OverlapCodes,
     question: &'b Question,
     own: &'b Answer,
     /// Nothing until another leaf has a say.
     sums: Sums,
+    workspace: &'b mut Workspace,
 }
 
-/// What is beyond the faces near a place.
-#[derive(Default)]
-struct Beyond {
-    /// Axes along which a face of the leaf of the place is near, a bit for each.
-    faces: u32,
-    /// Those, and axes along which a face between two of the leaves beyond is.
-    axes: u32,
-    /// Along each of them, the cell beyond.
+/// What is beyond the faces of a leaf near a position, along each axis.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sides {
+    /// 1 if a neighbour beyond the nearer face may have a say.
+    near: [u32; 4],
+    /// The cell beyond the nearer face.
     cell: [u32; 4],
 }
+
+impl Sides {
+    /// Axes along which a face is near, a bit for each.
+    #[inline]
+    pub(crate) fn near(&self) -> u32 {
+        let [x, y, z, _] = self.near;
+        x | y << 1 | z << 2
+    }
+}
+
+/// For each set of axes, all bits of the lanes that it has. The last lane is not of use.
+static CROSSED: [[u32; 4]; 8] = {
+    const ALL: u32 = u32::MAX;
+    let (none, x, y, xy) = ([0, 0], [ALL, 0], [0, ALL], [ALL, ALL]);
+    let mut sets = [[0; 4]; 8];
+    let mut set = 0;
+    while set < 8 {
+        let [x, y] = [none, x, y, xy][set & 3];
+        let z = if set >= 4 { ALL } else { 0 };
+        sets[set] = [x, y, z, z];
+        set += 1;
+    }
+    sets
+};
 
 /// The subsets of each set of axes, a bit for each.
 const SUBSETS: [u32; 8] = [0x01, 0x03, 0x05, 0x0F, 0x11, 0x33, 0x55, 0xFF];
@@ -120,9 +144,17 @@ const SUBSETS: [u32; 8] = [0x01, 0x03, 0x05, 0x0F, 0x11, 0x33, 0x55, 0xFF];
 impl PolynomialOctree<'_> {
     /// Makes the answer of the leaf of a place, near a face of it, the mean of all leaves that have a say there.
     #[inline(never)]
-    pub(crate) fn blend(&self, place: &Place, codes: OverlapCodes, question: &Question, answer: &mut Answer) {
-        let mut blend = Blend { place, codes, question, own: answer, sums: Sums::default() };
-        if codes.reach == 0 || !self.add_beside(&mut blend) {
+    pub(crate) fn blend(
+        &self,
+        place: &Place,
+        codes: OverlapCodes,
+        question: &Question,
+        sides: &mut Sides,
+        workspace: &mut Workspace,
+        answer: &mut Answer,
+    ) {
+        let mut blend = Blend { place, codes, question, own: answer, sums: Sums::default(), workspace };
+        if codes.reach == 0 || !self.add_beside(&mut blend, sides) {
             self.add_around(&mut blend);
         }
         let sums = blend.sums;
@@ -138,66 +170,52 @@ impl PolynomialOctree<'_> {
     /// faces along an axis only one is known; false if there are two, or if leaves are so small that there may be more of
     /// them than directions.
     #[inline]
-    fn add_beside(&self, blend: &mut Blend<'_>) -> bool {
+    fn add_beside(&self, blend: &mut Blend<'_>, sides: &mut Sides) -> bool {
         let place = blend.place;
-        let mut beyond = Beyond::default();
-        beyond.faces = self.near_sides(&place.cell, place.shift, blend.codes, &blend.question.local, &mut beyond.cell);
-        beyond.axes = beyond.faces;
-        let (mut seen, mut path) = ([place.leaf; 8], Path::default());
-        let mut done = SUBSETS[!beyond.faces as usize & 7];
+        // Axes along which a face of the own leaf is near, and those along which one between two leaves beyond is too.
+        let faces = sides.near();
+        let mut axes = faces;
+        let mut seen = [place.leaf; 8];
+        let mut done = SUBSETS[!faces as usize & 7];
         loop {
-            let pending = SUBSETS[beyond.axes as usize & 7] & !done;
+            let pending = SUBSETS[axes as usize & 7] & !done;
             if pending == 0 {
                 return true;
             }
             let crossed = pending.trailing_zeros();
             done |= 1 << crossed;
 
-            let mut cell = place.cell;
-            for (axis, part) in cell.iter_mut().enumerate() {
-                if crossed >> axis & 1 == 1 {
-                    *part = beyond.cell[axis];
-                }
-            }
-            let other = self.leaf_beside(place, cell, &mut path);
+            let mut other = Other::default();
+            self.leaf_beside(place, crossed, &sides.cell, &mut other);
             // Beyond faces of the own leaf alone, only a greater one can be met twice.
-            let may_be_seen = other.shift > place.shift || beyond.axes != beyond.faces;
+            let may_be_seen = other.shift > place.shift || axes != faces;
             if may_be_seen && seen.contains(&other.leaf) {
                 continue;
             }
             seen[crossed as usize & 7] = other.leaf;
 
-            let bits = Bits::at(self, other.leaf);
-            let codes = bits.overlap_codes(self);
-            let question = self.question(&other.cell, other.shift, &place.position, blend.question.with_gradient);
-            if other.shift < place.shift && !self.widen(&mut beyond, place, &other, codes, &question.local, crossed) {
+            if other.shift < place.shift && !self.widen(&mut axes, sides, place, &other, crossed) {
                 return false;
             }
-            self.add(blend, &bits, codes, &question);
+            self.add(blend, &other);
         }
     }
 
     /// Adds the near faces between a leaf, finer than that of the place, and others of its side. False if they are not known
     /// by one cell along each axis.
     #[inline(never)]
-    fn widen(
-        &self,
-        beyond: &mut Beyond,
-        place: &Place,
-        other: &Other,
-        codes: OverlapCodes,
-        local: &Lanes,
-        crossed: u32,
-    ) -> bool {
-        let mut cells = [0; 4];
-        let near = self.near_sides(&other.cell, other.shift, codes, local, &mut cells) & !crossed;
+    fn widen(&self, axes: &mut u32, sides: &mut Sides, place: &Place, other: &Other, crossed: u32) -> bool {
+        let codes = Bits::at(self, other.leaf).overlap_codes(self);
+        let mut its_sides = Sides::default();
+        self.look(&other.cell, other.shift, codes, &place.position, &mut Lanes::default(), &mut its_sides);
+        let near = its_sides.near() & !crossed;
         let mut is_known = codes.reach != 0;
-        for (axis, cell) in cells.into_iter().enumerate() {
+        for (axis, cell) in its_sides.cell.into_iter().enumerate() {
             let is_within = (cell ^ place.cell[axis]) >> place.shift == 0;
             if near >> axis & 1 == 1 && is_within {
-                is_known &= beyond.axes >> axis & 1 == 0 || beyond.cell[axis] == cell;
-                beyond.axes |= 1 << axis;
-                beyond.cell[axis] = cell;
+                is_known &= *axes >> axis & 1 == 0 || sides.cell[axis] == cell;
+                *axes |= 1 << axis;
+                sides.cell[axis] = cell;
             }
         }
         is_known
@@ -211,72 +229,53 @@ impl PolynomialOctree<'_> {
         blend.sums = Sums::default();
         for Leaf { cell: [x, y, z], edge, place: leaf, .. } in self.around(place, blend.codes.reach) {
             if leaf != place.leaf {
-                let bits = Bits::at(self, leaf);
-                let shift = edge.trailing_zeros();
-                let question = self.question(&[x, y, z, 0], shift, &place.position, blend.question.with_gradient);
-                self.add(blend, &bits, bits.overlap_codes(self), &question);
+                self.add(blend, &Other { leaf, shift: edge.trailing_zeros(), cell: [x, y, z, 0] });
             }
         }
     }
 
-    /// Along which axes a place is near a face of a leaf with a neighbour, a bit for each, and the cells beyond the nearer
-    /// faces.
+    /// From the leaf that holds a cell: where in it a position is, and what is beyond its sides.
     #[inline]
-    fn near_sides(
+    pub(crate) fn look(
         &self,
         cell: &[u32; 4],
         shift: u32,
         codes: OverlapCodes,
-        local: &Lanes,
-        beyond: &mut [u32; 4],
-    ) -> u32 {
-        let mut near = [0; 4];
-        self.sides(cell, shift, self.alone_within(codes.reach), local, beyond, &mut near);
-        let [x, y, z, _] = near;
-        x | y << 1 | z << 2
-    }
-
-    #[inline(never)]
-    fn sides(
-        &self,
-        cell: &[u32; 4],
-        shift: u32,
-        within: f32,
-        local: &Lanes,
-        beyond: &mut [u32; 4],
-        near: &mut [u32; 4],
+        position: &Position,
+        local: &mut Lanes,
+        sides: &mut Sides,
     ) {
-        let (align, edge) = (u32::MAX << shift, 1 << shift);
-        for lane in 0..4 {
-            let low = cell[lane] & align;
-            let next = if local[lane] > 0.0 { low + edge } else { low.wrapping_sub(1) };
-            beyond[lane] = next;
-            let next = next.cast_signed() as f32;
-            let is_near = (local[lane].abs() > within) & (next >= 0.0) & (next < self.lattice.extent[lane]);
-            near[lane] = u32::from(is_near);
-        }
+        look(cell, shift, self.alone_within(codes.reach), &self.lattice.extent, position, local, sides);
     }
 
-    /// The leaf of a cell, from the node that holds that and a place.
-    #[inline]
-    fn leaf_beside(&self, place: &Place, cell: [u32; 4], path: &mut Path) -> Other {
-        let [x, y, z, _] = cell;
+    /// The leaf beyond faces along a set of axes, from the node that holds that and a place. `beyond` is the cell beyond all
+    /// three.
+    #[inline(never)]
+    pub(crate) fn leaf_beside(&self, place: &Place, crossed: u32, beyond: &[u32; 4], other: &mut Other) {
+        let crossed = &CROSSED[crossed as usize & 7];
+        let mut different = [0; 4];
+        for lane in 0..4 {
+            different[lane] = (beyond[lane] ^ place.cell[lane]) & crossed[lane];
+            other.cell[lane] = place.cell[lane] ^ different[lane];
+        }
         let depth = u32::from(self.lattice.depth);
-        let different = (x ^ place.cell[0]) | (y ^ place.cell[1]) | (z ^ place.cell[2]);
-        let shift = u32::BITS - different.leading_zeros();
+        // Never all zero.
+        let shift = u32::BITS - (different[0] | different[1] | different[2] | 1).leading_zeros();
         let (node, shift) = if shift > depth {
+            let [x, y, z, _] = other.cell;
             (self.root(self.lattice.root_of([x, y, z])), depth)
         } else {
-            (Node::Inner(place.path[shift.wrapping_sub(1) as usize & 15]), shift)
+            (Node::Inner(place.path[(shift - 1) as usize & 15]), shift)
         };
-        let (leaf, shift) = self.descend(&cell, node, shift, path);
-        Other { leaf, shift, cell }
+        (other.leaf, other.shift) = self.descend(&other.cell, node, shift, &mut Path::default());
     }
 
     /// Adds another leaf, and the own one before the first.
     #[inline(never)]
-    fn add(&self, blend: &mut Blend<'_>, bits: &Bits<'_>, codes: OverlapCodes, question: &Question) {
-        let steepness = self.steepness(codes.support);
+    fn add(&self, blend: &mut Blend<'_>, other: &Other) {
+        let bits = Bits::at(self, other.leaf);
+        let question = self.question(&other.cell, other.shift, &blend.place.position, blend.question.with_gradient);
+        let steepness = self.steepness(bits.overlap_codes(self).support);
         let [x, y, z, _] = question.local.map(f32::abs);
         let xy = if x > y { x } else { y };
         let farthest = if xy > z { xy } else { z };
@@ -284,13 +283,11 @@ impl PolynomialOctree<'_> {
             return;
         }
         if blend.sums.weight == 0.0 {
-            let weight = Weight::at(&blend.question.local, self.steepness(blend.codes.support));
-            blend.sums.add(&weight, 0.0, blend.question, &blend.own.gradient);
+            blend.sums.add(blend.question, self.steepness(blend.codes.support), 0.0, &blend.own.gradient);
         }
         let mut answer = Answer::default();
-        bits.evaluate(self, question, &mut answer);
-        let weight = Weight::at(&question.local, steepness);
-        blend.sums.add(&weight, answer.value - blend.own.value, question, &answer.gradient);
+        bits.evaluate(self, &question, blend.workspace, &mut answer);
+        blend.sums.add(&question, steepness, answer.value - blend.own.value, &answer.gradient);
     }
 
     /// The leaves of which the supports can hold a place, and a few more.
@@ -309,7 +306,7 @@ impl PolynomialOctree<'_> {
 
     /// Half the edge of a leaf over twice the distance by which it reaches beyond its cell.
     #[inline]
-    fn steepness(&self, support: u32) -> f32 {
+    pub(crate) fn steepness(&self, support: u32) -> Steepness {
         self.steepness * (1 << support) as f32
     }
 }
@@ -322,5 +319,31 @@ pub(crate) fn local(cell: &[u32; 4], shift: u32, position: &Position, local: &mu
     let align = u32::MAX << shift;
     for (lane, part) in local.iter_mut().enumerate() {
         *part = (position[lane] - (cell[lane] & align).cast_signed() as f32) * per_half - 1.0;
+    }
+}
+
+/// [`PolynomialOctree::look`]: apart and in memory, which makes four-wide code.
+#[inline(never)]
+fn look(
+    cell: &[u32; 4],
+    shift: u32,
+    within: f32,
+    extent: &Position,
+    position: &Position,
+    local: &mut Lanes,
+    sides: &mut Sides,
+) {
+    // A power of two: the product is exact.
+    let per_half = f32::from_bits((128 - shift) << 23);
+    let (align, edge) = (u32::MAX << shift, 1 << shift);
+    for lane in 0..4 {
+        let low = cell[lane] & align;
+        let part = (position[lane] - low.cast_signed() as f32) * per_half - 1.0;
+        local[lane] = part;
+        let next = if part > 0.0 { low.wrapping_add(edge) } else { low.wrapping_sub(1) };
+        sides.cell[lane] = next;
+        let next = next.cast_signed() as f32;
+        let is_near = (part.abs() > within) & (next >= 0.0) & (next < extent[lane]);
+        sides.near[lane] = u32::from(is_near);
     }
 }

@@ -1,4 +1,6 @@
 //! The only raw access to bytes. A read outside the bytes is zero: nothing here can fail.
+//!
+//! Queries read [`Words`]; the functions before them are for what is read once, and stay apart to be there once.
 
 use core::ops::Range;
 
@@ -16,6 +18,7 @@ pub(crate) fn u16_at(bytes: &[u8], range: Range<usize>) -> u16 {
     u16::from_le_bytes(array(bytes, range))
 }
 
+#[inline(never)]
 pub(crate) fn u32_at(bytes: &[u8], range: Range<usize>) -> u32 {
     u32::from_le_bytes(array(bytes, range))
 }

@@ -30,6 +30,7 @@ impl Crc32c {
         Self(!0)
     }
 
+    #[inline(never)]
     pub(crate) fn update(self, bytes: &[u8]) -> Self {
         Self(bytes.iter().fold(self.0, |remainder, &byte| {
             let low = remainder ^ u32::from(byte);

@@ -8,7 +8,7 @@ use crate::octree::Octree;
 use crate::polynomial_octree::PolynomialOctree;
 use crate::representation::{Any, Kind, Representation};
 use crate::section::{self, Sections};
-use crate::{math, validate};
+use crate::{march, math, validate};
 
 /// A signed distance field in borrowed bytes.
 ///
@@ -145,28 +145,55 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         beyond.map_or(answer, |beyond| beyond.answer(answer.0))
     }
 
-    /// [`distance`](Self::distance) at each point. Stops at the shorter slice; returns how many
-    /// distances it wrote.
+    /// [`distance`](Self::distance) at each point, to the bit, and faster than one by one. Stops at the shorter slice;
+    /// returns how many distances it wrote.
     pub fn distances(&self, points: &[[f32; 3]], distances: &mut [f32]) -> usize {
-        for (&point, distance) in points.iter().zip(&mut *distances) {
-            *distance = self.distance(point);
+        let count = points.len().min(distances.len());
+        let mut done = 0;
+        while let (Some(points), Some(distances)) = (points.get(done..count), distances.get_mut(done..count))
+            && let (Some(&first), Some(distance)) = (points.first(), distances.first_mut())
+        {
+            let inside = self.run_inside(points);
+            if inside.is_empty() {
+                *distance = self.distance(first);
+            } else {
+                self.shape.values(inside, distances);
+            }
+            done += inside.len().max(1);
         }
-        points.len().min(distances.len())
+        count
     }
 
-    /// [`distance_and_gradient`](Self::distance_and_gradient) at each point. Stops at the shortest
-    /// slice; returns how many answers it wrote.
+    /// [`distance_and_gradient`](Self::distance_and_gradient) at each point, to the bit, and faster than one by one. Stops
+    /// at the shortest slice; returns how many answers it wrote.
     pub fn distances_and_gradients(
         &self,
         points: &[[f32; 3]],
         distances: &mut [f32],
         gradients: &mut [[f32; 3]],
     ) -> usize {
-        let answers = distances.iter_mut().zip(&mut *gradients);
-        for (&point, (distance, gradient)) in points.iter().zip(answers) {
-            (*distance, *gradient) = self.distance_and_gradient(point);
+        let count = points.len().min(distances.len()).min(gradients.len());
+        let mut done = 0;
+        while let (Some(points), Some(distances), Some(gradients)) =
+            (points.get(done..count), distances.get_mut(done..count), gradients.get_mut(done..count))
+            && let (Some(&first), Some(distance), Some(gradient)) =
+                (points.first(), distances.first_mut(), gradients.first_mut())
+        {
+            let inside = self.run_inside(points);
+            if inside.is_empty() {
+                (*distance, *gradient) = self.distance_and_gradient(first);
+            } else {
+                self.shape.evaluate_each(inside, distances, gradients);
+            }
+            done += inside.len().max(1);
         }
-        points.len().min(distances.len()).min(gradients.len())
+        count
+    }
+
+    /// The points up to the first that is not in the box.
+    fn run_inside<'p>(&self, points: &'p [[f32; 3]]) -> &'p [[f32; 3]] {
+        let end = points.iter().position(|&point| !self.shape.contains(point));
+        end.and_then(|end| points.get(..end)).unwrap_or(points)
     }
 
     /// A cursor, which answers queries that are near one another faster.
@@ -189,6 +216,11 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         section::sections(self.bytes)
     }
 
+    /// The box, and how steep the field is at most: what walks need of the header, which is larger.
+    pub(crate) fn bounds_and_steepest(&self) -> (Aabb, f32) {
+        (header::bounds_of(self.bytes), header::steepest_of(self.bytes))
+    }
+
     /// What the field is made of, where it lies.
     #[inline]
     pub(crate) fn kind(&self) -> Kind<'_, 'a> {
@@ -199,16 +231,20 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     #[cold]
     #[inline(never)]
     fn beyond(&self, point: [f32; 3]) -> Beyond {
-        let Aabb { min, max } = header::bounds_of(self.bytes);
+        let bounds = header::bounds_of(self.bytes);
         if point.iter().any(|component| component.is_nan()) {
-            return Beyond { nearest: min, distance: f32::NAN, direction: [f32::NAN; 3] };
+            return Beyond { nearest: bounds.min, distance: f32::NAN, direction: [f32::NAN; 3] };
         }
         if point.iter().any(|component| component.is_infinite()) {
             let toward = point.map(|x| if x.is_infinite() { 1.0_f32.copysign(x) } else { 0.0 });
-            return Beyond { nearest: min, distance: f32::INFINITY, direction: math::length_and_direction(toward).1 };
+            return Beyond {
+                nearest: bounds.min,
+                distance: f32::INFINITY,
+                direction: math::length_and_direction(toward).1,
+            };
         }
 
-        let nearest = [0, 1, 2].map(|axis: usize| point[axis].max(min[axis]).min(max[axis]));
+        let nearest = march::nearest(bounds, point);
         let away = [0, 1, 2].map(|axis: usize| point[axis] - nearest[axis]);
         let (distance, direction) = math::length_and_direction(away);
         Beyond { nearest, distance, direction }

@@ -44,10 +44,15 @@ pub struct Grid<'a> {
     pub(crate) samples: Words<'a>,
     /// Base distances of the bricks; a single one if they share it.
     pub(crate) bases: Words<'a>,
+    /// Samples to the next row along y and to the next layer along z; and bases, if there are several.
+    steps: [usize; 2],
+    brick_steps: [usize; 2],
     bounds: Aabb,
     resolution: [u32; 3],
     spacing: [f32; 3],
     cells_per_unit: [f32; 3],
+    /// Cells along each axis.
+    cells: [f32; 3],
     pub(crate) quantum: f32,
     order: u8,
     reconstruction: Reconstruction,
@@ -108,13 +113,17 @@ impl<'a> Grid<'a> {
         } else {
             Words::new(sections::find_bytes(bytes, section::BASES)?)
         };
+        let steps = |[x, y, _]: [u32; 3]| [x as usize, x as usize * y as usize];
         let grid = Self {
             samples,
             bases,
+            steps: steps(resolution),
+            brick_steps: steps(bricks(resolution)),
             bounds,
             resolution,
             spacing,
             cells_per_unit: spacing.map(|spacing| 1.0 / spacing),
+            cells: resolution.map(|samples| (samples - 1) as f32),
             quantum,
             order,
             reconstruction,
@@ -205,18 +214,12 @@ impl<'a> Grid<'a> {
         match (self.precision, self.has_bricks) {
             (GridPrecision::F32, _) => 0,
             (_, false) => 1,
-            (_, true) => self.bricks().map(u64::from).into_iter().product(),
+            (_, true) => bricks(self.resolution).map(u64::from).into_iter().product(),
         }
     }
 
-    /// Bricks along x, y, z.
-    #[inline]
-    fn bricks(&self) -> [u32; 3] {
-        self.resolution.map(|samples| samples.div_ceil(at::BRICK_EDGE))
-    }
-
     /// Base distance of the sample at a vertex, in quanta.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn base(&self, vertex: [u32; 3]) -> i32 {
         let brick = if self.has_bricks { self.bricks_of(vertex).0 } else { 0 };
         self.bases.word(brick).cast_signed()
@@ -225,18 +228,17 @@ impl<'a> Grid<'a> {
     /// Number of the brick of a vertex, and the steps to those of the next vertices along x, y and z.
     #[inline]
     pub(crate) fn bricks_of(&self, vertex: [u32; 3]) -> (usize, [usize; 3]) {
-        let [nx, ny, _] = self.bricks().map(|bricks| bricks as usize);
+        let [row, layer] = self.brick_steps;
         let edge = at::BRICK_EDGE;
-        let [x, y, z] = vertex.map(|at| (at / edge) as usize);
-        let [step_x, step_y, step_z] = vertex.map(|at| usize::from(at % edge == edge - 1));
-        (x + nx * (y + ny * z), [step_x, nx * step_y, nx * ny * step_z])
+        // All bits of a step or none of them: branches would be hard to predict.
+        let [x, y, z] = vertex.map(|at| usize::from(at % edge == edge - 1).wrapping_neg());
+        (number(vertex.map(|at| at / edge), self.brick_steps), [1 & x, row & y, layer & z])
     }
 
-    /// Number of the sample at a vertex, x fastest.
+    /// Number of the sample at a vertex, x fastest, and samples to the next row and layer.
     #[inline]
-    pub(crate) fn index(&self, [x, y, z]: [u32; 3]) -> usize {
-        let [nx, ny, _] = self.resolution.map(|samples| samples as usize);
-        x as usize + nx * (y as usize + ny * z as usize)
+    pub(crate) fn index(&self, vertex: [u32; 3]) -> (usize, [usize; 2]) {
+        (number(vertex, self.steps), self.steps)
     }
 
     /// Whether a point lies in the box, faces included. False for a NaN.
@@ -249,14 +251,29 @@ impl<'a> Grid<'a> {
     /// The cell that holds a point of the box, by its least vertex, and where in it the point is, 0 to 1.
     #[inline]
     pub(crate) fn locate(&self, point: [f32; 3]) -> ([u32; 3], [f32; 3]) {
-        let place = |axis: usize| {
-            let last = self.resolution[axis] - 1;
-            let cells = ((point[axis] - self.bounds.min[axis]) * self.cells_per_unit[axis]).min(last as f32);
-            let cell = (cells as u32).min(last - 1);
-            (cell, cells - cell as f32)
-        };
+        let place =
+            |axis: usize| place(point[axis], self.bounds.min[axis], self.cells_per_unit[axis], self.cells[axis]);
         let [(x, u), (y, v), (z, w)] = [place(0), place(1), place(2)];
         ([x, y, z], [u, v, w])
+    }
+
+    /// The same of several points: apart and in memory, which makes four-wide code.
+    #[inline(never)]
+    pub(crate) fn locate_each<const COUNT: usize>(
+        &self,
+        points: &[[f32; 3]; COUNT],
+        cell: &mut [[u32; 3]; COUNT],
+        local: &mut [[f32; 3]; COUNT],
+    ) {
+        let (min, cells_per_unit, cells) =
+            ([self.bounds.min; COUNT], [self.cells_per_unit; COUNT], [self.cells; COUNT]);
+        let axes = min.as_flattened().iter().zip(cells_per_unit.as_flattened()).zip(cells.as_flattened());
+        let places = cell.as_flattened_mut().iter_mut().zip(local.as_flattened_mut());
+        for ((&coordinate, ((&min, &per_unit), &cells)), (cell, local)) in
+            points.as_flattened().iter().zip(axes).zip(places)
+        {
+            (*cell, *local) = place(coordinate, min, per_unit, cells);
+        }
     }
 
     /// Derivatives by local coordinates to a gradient.
@@ -265,6 +282,32 @@ impl<'a> Grid<'a> {
         let [a, b, c] = self.cells_per_unit;
         [x * a, y * b, z * c]
     }
+}
+
+/// Bricks along x, y, z.
+fn bricks(resolution: [u32; 3]) -> [u32; 3] {
+    resolution.map(|samples| samples.div_ceil(at::BRICK_EDGE))
+}
+
+/// Number of a place, x fastest, where the next along y and z are so many steps away.
+#[inline]
+fn number([x, y, z]: [u32; 3], [row, layer]: [usize; 2]) -> usize {
+    x as usize + row * y as usize + layer * z as usize
+}
+
+/// Along one axis of that many cells, the cell of a coordinate of the box, and where in it that is, 0 to 1. The coordinate less
+/// the least is never a NaN, and neither negative: so one comparison does, and a conversion that saturates is not needed.
+#[inline]
+fn place(coordinate: f32, min: f32, cells_per_unit: f32, cells: f32) -> (u32, f32) {
+    // Adding 2²³ rounds to an integer, and leaves it in the lowest bits.
+    const ROUNDING: f32 = (1 << 23) as f32;
+    let position = (coordinate - min) * cells_per_unit;
+    let position = if position < cells { position } else { cells };
+    let nearest = (position + ROUNDING) - ROUNDING;
+    let floor = if nearest > position { nearest - 1.0 } else { nearest };
+    let last = cells - 1.0;
+    let floor = if floor < last { floor } else { last };
+    ((floor + ROUNDING).to_bits() & ((1 << 23) - 1), position - floor)
 }
 
 /// The reconstruction of a code, if samples of this order can be reconstructed so (SPEC.md §11.1).

@@ -3,12 +3,15 @@
 use crate::grid::{Grid, GridPrecision};
 use crate::hermite::{Corners, Jets};
 use crate::layout::packed_sample;
-use crate::polynomial::{Polynomial, SECOND, TERMS, THIRD};
+use crate::polynomial::{AXES, NO_AXIS, Polynomial, TERMS};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
 
-/// Number of the first coefficient of degree 2, and of degree 3.
-const SECOND_FIRST: usize = 4;
-const THIRD_FIRST: usize = 10;
+/// Packed first-order samples at the corners of a cell, as they are in the file.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct PackedCorners {
+    words: [u32; 8],
+    bases: [i32; 8],
+}
 
 /// First-order samples at the corners of a cell: distances, and derivatives by the local x, y, z.
 pub(crate) struct FirstOrder {
@@ -74,16 +77,17 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
-            let at = Self::corner(cell, corner);
-            self.lone_distance(at)
-        })
+        let mut distances = Corners::default();
+        for (corner, distance) in distances.iter_mut().enumerate() {
+            *distance = self.lone_distance(Self::corner(cell, corner as u32));
+        }
+        distances
     }
 
     /// The distance of a sample of order 0.
     #[inline]
     fn lone_distance(&self, at: [u32; 3]) -> f32 {
-        let index = self.index(at);
+        let (index, _) = self.index(at);
         if self.precision == GridPrecision::F32 {
             return decode_single(self.samples.word(index));
         }
@@ -96,11 +100,42 @@ impl Grid<'_> {
     #[inline]
     pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
-            let [x, y, z] = self.spacing();
-            decode_packed(&self.corner_words(cell), &self.corner_bases(cell), &[x, y, z, self.quantum], corners);
+            let mut packed = PackedCorners::default();
+            self.read_packed(cell, &mut packed);
+            self.decode(&packed, corners);
         } else {
             self.read_wide_first_order(cell, corners);
         }
+    }
+
+    /// The same of samples that were read before.
+    #[inline]
+    pub(crate) fn decode(&self, PackedCorners { words, bases }: &PackedCorners, corners: &mut FirstOrder) {
+        let [x, y, z] = self.spacing();
+        decode_packed(words, bases, &[x, y, z, self.quantum], corners);
+    }
+
+    /// Reads the packed samples at the corners of a cell of a grid of order 1.
+    #[inline]
+    pub(crate) fn read_packed(&self, cell: [u32; 3], PackedCorners { words, bases }: &mut PackedCorners) {
+        *words = self.corner_words(cell);
+        if !self.has_brick_ranges() {
+            *bases = [self.base([0; 3]); 8];
+            return;
+        }
+        let (first, [x, y, z]) = self.bricks_of(cell);
+        let at = |brick: usize| self.bases.word(brick).cast_signed();
+        let (beyond, yz) = (first + x, y + z);
+        *bases = [
+            at(first),
+            at(first + z),
+            at(first + y),
+            at(first + yz),
+            at(beyond),
+            at(beyond + z),
+            at(beyond + y),
+            at(beyond + yz),
+        ];
     }
 
     /// The same of samples of several words.
@@ -120,26 +155,12 @@ impl Grid<'_> {
     /// The words at the corners of a cell, of samples of one word each.
     #[inline]
     fn corner_words(&self, cell: [u32; 3]) -> [u32; 8] {
-        let [nx, ny, _] = self.resolution();
-        let (row, layer) = (nx as usize, nx as usize * ny as usize);
-        let first = self.index(cell);
+        let (first, [row, layer]) = self.index(cell);
+        let near = [first, first + layer, first + row, first + layer + row];
         // Neighbours along x are neighbours in the section.
-        let [a, e] = self.samples.words(first);
-        let [c, g] = self.samples.words(first + row);
-        let [b, f] = self.samples.words(first + layer);
-        let [d, h] = self.samples.words(first + layer + row);
+        let [a, b, c, d] = near.map(|at| self.samples.word(at));
+        let [e, f, g, h] = near.map(|at| self.samples.word(at + 1));
         [a, b, c, d, e, f, g, h]
-    }
-
-    /// The base distances at the corners of a cell.
-    #[inline]
-    fn corner_bases(&self, cell: [u32; 3]) -> [i32; 8] {
-        if !self.has_brick_ranges() {
-            return [self.base([0; 3]); 8];
-        }
-        let (first, [x, y, z]) = self.bricks_of(cell);
-        [first, first + z, first + y, first + y + z, first + x, first + x + z, first + x + y, first + x + y + z]
-            .map(|brick| self.bases.word(brick).cast_signed())
     }
 
     /// The samples at the corners of a cell, of any order.
@@ -151,55 +172,45 @@ impl Grid<'_> {
     #[inline(never)]
     pub(crate) fn polynomial(&self, at: [u32; 3]) -> Polynomial {
         let mut numbers = [0.0; TERMS];
-        let index = self.index(at);
+        let (index, _) = self.index(at);
         let count = match self.order() {
             0 => {
                 numbers[0] = self.lone_distance(at);
                 return Polynomial(numbers);
             }
-            1 => SECOND_FIRST,
-            2 => THIRD_FIRST,
+            1 => 4,
+            2 => 10,
             _ => TERMS,
         };
 
         // Numbers as stored.
         let data = self.samples.tail(index * (self.halves_per_sample() / 2) as usize);
-        let half = |place: usize| decode_half((data.word(place / 2) >> (16 * (place & 1))) as u16);
-        let distance = |code: u32| decode_distance(self.base(at), code, self.quantum);
-        match self.precision {
-            GridPrecision::F32 => {
-                for (place, number) in numbers.iter_mut().enumerate().take(count) {
-                    *number = decode_single(data.word(place));
-                }
-            }
-            GridPrecision::F16 => {
-                numbers[0] = distance(data.word(0) & 0xFFFF);
-                for (place, number) in numbers.iter_mut().enumerate().take(count).skip(1) {
-                    *number = half(place);
-                }
-            }
-            GridPrecision::Packed32 => {
-                let word = data.word(0);
-                numbers[0] = distance(word >> packed_sample::DISTANCE_SHIFT);
+        let is_packed = self.precision == GridPrecision::Packed32;
+        for (place, number) in numbers.iter_mut().enumerate().take(count) {
+            *number = if self.precision == GridPrecision::F32 {
+                decode_single(data.word(place))
+            } else {
+                // Four packed numbers take two halves.
+                let half = if is_packed { place.saturating_sub(2) } else { place };
+                decode_half((data.word(half / 2) >> (16 * (half & 1))) as u16)
+            };
+        }
+        if self.precision != GridPrecision::F32 {
+            let word = data.word(0);
+            let code = if is_packed { word >> packed_sample::DISTANCE_SHIFT } else { word & 0xFFFF };
+            numbers[0] = decode_distance(self.base(at), code, self.quantum);
+            if is_packed {
                 [numbers[1], numbers[2], numbers[3]] = decode_gradient(word);
-                for (place, number) in numbers.iter_mut().enumerate().take(count).skip(SECOND_FIRST) {
-                    *number = half(place - SECOND_FIRST + 2);
-                }
             }
         }
 
-        // To local coordinates.
-        let spacing = self.spacing();
+        // To local coordinates: by the spacing along the first axis, and by those along the others in units of the greatest.
+        let [x, y, z] = self.spacing();
         let unit = self.unit();
-        let ratio = spacing.map(|spacing| spacing / unit);
-        for (number, spacing) in numbers[1..SECOND_FIRST].iter_mut().zip(spacing) {
-            *number *= spacing;
-        }
-        for (number, [a, b]) in numbers[SECOND_FIRST..THIRD_FIRST].iter_mut().zip(SECOND) {
-            *number *= spacing[a] * ratio[b];
-        }
-        for (number, [a, b, c]) in numbers[THIRD_FIRST..].iter_mut().zip(THIRD) {
-            *number *= spacing[a] * ratio[b] * ratio[c];
+        let (spacing, ratio) = ([x, y, z, 1.0], [x / unit, y / unit, z / unit, 1.0]);
+        for (number, [a, b, c]) in numbers.iter_mut().zip(&AXES) {
+            // The masks show the compiler that no index can fail.
+            *number *= spacing[a & NO_AXIS] * ratio[b & NO_AXIS] * ratio[c & NO_AXIS];
         }
         Polynomial(numbers)
     }

@@ -188,6 +188,7 @@ fn sign_method_of(bytes: &[u8]) -> Result<SignMethod, Error> {
     }
 }
 
+#[inline(never)]
 pub(crate) fn bounds_of(bytes: &[u8]) -> Aabb {
     Aabb { min: f32x3_at(bytes, at::BOX_MIN), max: f32x3_at(bytes, at::BOX_MAX) }
 }
@@ -209,7 +210,14 @@ pub(crate) fn header_of(bytes: &[u8]) -> Header {
     }
 }
 
+/// How steep the field is at most, and at least 1: a distance field's slope is 1 somewhere, and a bound below it is not worth
+/// believing.
+pub(crate) fn steepest_of(bytes: &[u8]) -> f32 {
+    f32_at(bytes, at::LIPSCHITZ).max(1.0)
+}
+
 /// The error contract of checked bytes.
+#[inline(never)]
 pub(crate) fn contract_of(bytes: &[u8]) -> ErrorContract {
     let statistics = |[rmse, p99, max]: [core::ops::Range<usize>; 3]| ErrorStatistics {
         rmse: f32_at(bytes, rmse),

@@ -111,14 +111,14 @@ pub(crate) fn tricubic_and_derivatives(jets: &Jets, [x, y, z]: [f32; 3]) -> (f32
     basis(&[x, y, z, 0.0], &mut weights);
     basis_derivative(&[x, y, z, 0.0], &mut slopes);
 
-    let (mut face, mut face_by_x) = (Face::ZERO, Face::ZERO);
-    at_x(jets, &weights, &mut face);
-    at_x(jets, &slopes, &mut face_by_x);
-
     let (mut edge, mut by_x, mut by_y) = (Edge::default(), Edge::default(), Edge::default());
+    let mut face = Face::ZERO;
+    at_x(jets, &weights, &mut face);
     at_y(&face, &weights, &mut edge);
-    at_y(&face_by_x, &weights, &mut by_x);
     at_y(&face, &slopes, &mut by_y);
+    // In the same room, for the stacks of microcontrollers.
+    at_x(jets, &slopes, &mut face);
+    at_y(&face, &weights, &mut by_x);
 
     let derivatives = [at_z(&by_x, &weights), at_z(&by_y, &weights), at_z(&edge, &slopes)];
     (at_z(&edge, &weights), derivatives)

@@ -107,18 +107,8 @@ impl Lattice {
     /// Whether a point lies in the box, faces included. False for a NaN.
     #[inline]
     pub(crate) fn contains(&self, point: [f32; 3]) -> bool {
-        let mut outside = [0; 4];
-        self.compare(&padded(point), &mut outside);
-        let [x, y, z, _] = outside;
-        x | y | z == 0
-    }
-
-    /// Along which axes a point is not in the box, 1 for each: apart and in memory, which makes four-wide code.
-    #[inline(never)]
-    fn compare(&self, point: &Position, outside: &mut [u32; 4]) {
-        for lane in 0..4 {
-            outside[lane] = u32::from(!((point[lane] >= self.min[lane]) & (point[lane] <= self.max[lane])));
-        }
+        let is_within = |axis: usize| (point[axis] >= self.min[axis]) & (point[axis] <= self.max[axis]);
+        is_within(0) & is_within(1) & is_within(2)
     }
 
     /// A point of the box in finest cells from the least corner of the box.
@@ -154,17 +144,25 @@ impl Lattice {
         [x, y, z]
     }
 
-    /// [`position`](Self::position) and [`cell_of`](Self::cell_of), and a zero: apart and in memory, which makes four-wide code.
+    /// [`position`](Self::position) and [`cell_of`](Self::cell_of), and a zero, and along which axes the point is not in the
+    /// box: apart and in memory, which makes four-wide code.
     #[inline(never)]
-    pub(crate) fn locate(&self, point: &Position, position: &mut Position, cell: &mut [u32; 4]) {
+    pub(crate) fn locate(
+        &self,
+        point: &Position,
+        position: &mut Position,
+        cell: &mut [u32; 4],
+        outside: &mut [u32; 4],
+    ) {
         const ROUNDING: f32 = (1 << 23) as f32;
         for lane in 0..4 {
+            outside[lane] = u32::from(!((point[lane] >= self.min[lane]) & (point[lane] <= self.max[lane])));
             let cells = (point[lane] - self.min[lane]) * self.cells_per_unit;
             let limit = self.extent[lane];
             let part = if cells < limit { cells } else { limit };
             position[lane] = part;
             let nearest = (part + ROUNDING) - ROUNDING;
-            let floor = if nearest > part { nearest - 1.0 } else { nearest };
+            let floor = nearest - if nearest > part { 1.0 } else { 0.0 };
             let last = limit - 1.0;
             let floor = if floor < last { floor } else { last };
             cell[lane] = (floor + ROUNDING).to_bits() & ((1 << 23) - 1);

@@ -72,7 +72,7 @@ fn ranks(mask: u32, bits: &[u32; 8], ranks: &mut [u32; 8]) {
     }
 }
 
-impl Octree<'_> {
+impl<'a> Octree<'a> {
     /// Value of a leaf at local coordinates, 0 to 1 along each axis; mesh units.
     #[inline]
     pub(crate) fn value(&self, leaf: &Leaf, local: [f32; 3]) -> f32 {
@@ -92,8 +92,18 @@ impl Octree<'_> {
         self.evaluate_between(leaf, &jets, local)
     }
 
+    /// What a leaf interpolates: at each of its corners the value and its derivatives by local coordinates, mesh units.
+    ///
+    /// Both the corners and, at each, the derivatives are counted by `4 x + 2 y + z`: corner 6 is that of greatest x and
+    /// y, and its derivative 6 is the one by x and y. Trilinear leaves have values only; their derivatives mean nothing.
+    pub fn corners(&self, leaf: &Leaf) -> [[f32; 8]; 8] {
+        let mut jets = Jets::default();
+        self.read_corners(leaf, &mut jets);
+        jets
+    }
+
     /// Value between the corners of a leaf.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value_between(&self, jets: &Jets, local: [f32; 3]) -> f32 {
         match self.interpolant() {
             Interpolant::Tricubic => hermite::tricubic(jets, local),
@@ -102,7 +112,7 @@ impl Octree<'_> {
     }
 
     /// Value and gradient between the corners of a leaf.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn evaluate_between(&self, leaf: &Leaf, jets: &Jets, local: [f32; 3]) -> (f32, [f32; 3]) {
         let (value, derivatives) = match self.interpolant() {
             Interpolant::Tricubic => hermite::tricubic_and_derivatives(jets, local),
@@ -115,16 +125,27 @@ impl Octree<'_> {
     /// Writes the jets at the corners of a leaf; of a trilinear one only the distances.
     #[inline]
     pub(crate) fn read_corners(&self, leaf: &Leaf, jets: &mut Jets) {
+        self.read_block(leaf, &self.block(leaf), jets);
+    }
+
+    /// The block of a leaf.
+    #[inline]
+    pub(crate) fn block(&self, leaf: &Leaf) -> Block<'a> {
+        Block::at(self.samples, leaf.place)
+    }
+
+    /// [`read_corners`](Self::read_corners) from the leaf's block.
+    #[inline]
+    pub(crate) fn read_block(&self, leaf: &Leaf, block: &Block<'_>, jets: &mut Jets) {
         match self.interpolant() {
-            Interpolant::Tricubic => self.read_jets(leaf, jets),
-            Interpolant::Trilinear => self.read_distances(leaf, jets),
+            Interpolant::Tricubic => self.read_jets(leaf, block, jets),
+            Interpolant::Trilinear => self.read_distances(leaf, block, jets),
         }
     }
 
     /// Writes the jets at the corners of a tricubic leaf.
     #[inline(never)]
-    fn read_jets(&self, leaf: &Leaf, jets: &mut Jets) {
-        let block = Block::at(self.samples, leaf.place);
+    fn read_jets(&self, leaf: &Leaf, block: &Block<'_>, jets: &mut Jets) {
         let scale = Scale { quantum: self.quantum(leaf.level), edge: self.edge(leaf.level) };
         let sources = block.sources(leaf.octant);
         let mut places = [0; 8];
@@ -143,8 +164,7 @@ impl Octree<'_> {
     }
 
     /// Writes the distances at the corners of a trilinear leaf.
-    fn read_distances(&self, leaf: &Leaf, jets: &mut Jets) {
-        let block = Block::at(self.samples, leaf.place);
+    fn read_distances(&self, leaf: &Leaf, block: &Block<'_>, jets: &mut Jets) {
         let quantum = self.quantum(leaf.level);
         let mut places = [0; 8];
         ranks(block.present, &block.sources(leaf.octant), &mut places);
@@ -224,7 +244,7 @@ impl Block<'_> {
             let full = self.full & bit != 0;
             if full || self.precision != precision::PACKED32 {
                 // The mask shows the compiler that no index can fail.
-                jets[corner & 7] = self.wide_jet(place as usize, full, scale);
+                self.read_wide(place as usize, full, scale, &mut jets[corner & 7]);
             }
         }
     }
@@ -239,29 +259,25 @@ impl Block<'_> {
         [0, 9, 3, 12, 1, 10, 4, 13].into_iter().rev().fold(0, |mask, bit| mask << 1 | absent >> bit & 1)
     }
 
-    /// A sample of half floats or floats.
-    fn wide_jet(&self, place: usize, full: bool, scale: Scale) -> Jet {
-        let (distance, gradient) = if self.precision == precision::F32 {
-            let [distance, x, y, z] = self.data.words(place).map(decode_single);
-            (distance, [x, y, z])
+    /// A sample of half floats or floats: a distance, then derivatives by x, y, z, xy, xz, yz and xyz.
+    fn read_wide(&self, place: usize, full: bool, scale: Scale, jet: &mut Jet) {
+        let mut numbers = Jet::default();
+        for (index, number) in numbers.iter_mut().enumerate().take(if full { 8 } else { 4 }) {
+            *number = if self.precision == precision::F32 {
+                decode_single(self.data.word(place + index))
+            } else {
+                decode_half((self.data.word(place + index / 2) >> (16 * (index & 1))) as u16)
+            };
+            *number *= scale.edge;
+        }
+        let [_, x, y, z, xy, xz, yz, xyz] = numbers;
+        let code = self.data.word(place);
+        let distance = if self.precision == precision::F32 {
+            decode_single(code)
         } else {
-            let [code_x, y_z] = self.data.words(place);
-            let base = self.base.wrapping_mul(16);
-            let distance = decode_distance(base, code_x & 0xFFFF, scale.quantum * SIXTEENTH);
-            (distance, [high(code_x), low(y_z), high(y_z)])
+            decode_distance(self.base.wrapping_mul(16), code & 0xFFFF, scale.quantum * SIXTEENTH)
         };
-        let mixed = match (full, self.precision) {
-            (false, _) => [0.0; 4],
-            (true, precision::F32) => self.data.words(place + 4).map(decode_single),
-            (true, _) => {
-                let [xy_xz, yz_xyz] = self.data.words(place + 2);
-                [low(xy_xz), high(xy_xz), low(yz_xyz), high(yz_xyz)]
-            }
-        };
-
-        let [x, y, z] = gradient.map(|derivative| derivative * scale.edge);
-        let [xy, xz, yz, xyz] = mixed.map(|derivative| derivative * scale.edge);
-        [distance, z, y, yz, x, xz, xy, xyz]
+        *jet = [distance, z, y, yz, x, xz, xy, xyz];
     }
 
     /// The distance of a trilinear sample.
@@ -282,14 +298,4 @@ pub(crate) fn strides(precision: u32) -> (u32, u32) {
         precision::F16 => (2, 4),
         _ => (4, 8),
     }
-}
-
-#[inline]
-fn low(word: u32) -> f32 {
-    decode_half(word as u16)
-}
-
-#[inline]
-fn high(word: u32) -> f32 {
-    decode_half((word >> 16) as u16)
 }

@@ -31,13 +31,13 @@ pub(crate) struct Coefficients {
 
 /// Lanes moved to the axis after their own.
 #[inline]
-fn moved_on([x, y, z, other]: Lanes) -> Lanes {
+pub(crate) fn moved_on([x, y, z, other]: Lanes) -> Lanes {
     [z, x, y, other]
 }
 
 /// Lanes moved to the axis before their own.
 #[inline]
-fn moved_back([x, y, z, other]: Lanes) -> Lanes {
+pub(crate) fn moved_back([x, y, z, other]: Lanes) -> Lanes {
     [y, z, x, other]
 }
 
@@ -45,24 +45,32 @@ impl Coefficients {
     /// Value at a point, which may lie a little beyond the cube, in steps; and the derivatives by x, y and z if they are
     /// asked for. Asking changes no bit of the value.
     #[inline]
-    pub(crate) fn evaluate(&self, degree: u32, point: &Lanes, with_slope: bool, slope: &mut Lanes) -> f32 {
-        let mut parts = [0.0; 4];
+    pub(crate) fn evaluate(
+        &self,
+        degree: u32,
+        point: &Lanes,
+        with_slope: bool,
+        parts: &mut Lanes,
+        slope: &mut Lanes,
+    ) -> f32 {
+        let mut constant = self.constant;
         match degree {
-            0 => *slope = [0.0; 4],
-            1 => self.first(point, &mut parts, slope),
-            2 => self.second(point, with_slope, &mut parts, slope),
-            _ => self.third(point, with_slope, &mut parts, slope),
+            0 => (*parts, *slope) = ([0.0; 4], [0.0; 4]),
+            1 => self.first(point, parts, slope),
+            2 => self.second(point, with_slope, parts, slope),
+            _ => {
+                self.third(point, with_slope, parts, slope);
+                constant += self.product * (point[0] * point[1] * point[2]);
+            }
         }
-        let [a, b, c, _] = parts;
-        let constant =
-            if degree < 3 { self.constant } else { self.constant + self.product * (point[0] * point[1] * point[2]) };
+        let [a, b, c, _] = *parts;
         constant + ((a + b) + c)
     }
 
     // What the terms but the constant and the product add up to: parts of the value, and derivatives. The functions that
     // are never inlined stay apart and end in memory, as those of `hermite` do, for the sake of four-wide code.
 
-    #[inline]
+    #[inline(never)]
     fn first(&self, point: &Lanes, parts: &mut Lanes, slope: &mut Lanes) {
         for lane in ALL {
             parts[lane] = self.linear[lane] * point[lane];

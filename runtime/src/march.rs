@@ -71,17 +71,15 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
             return Raycast::Miss { steps: 0 };
         }
         let (_, direction) = math::length_and_direction(direction);
-        let header = self.header();
-        let Some((start, end)) = clip(header.bounds, origin, direction, length) else {
+        let (bounds, steepest) = self.bounds_and_steepest();
+        let Some((start, end)) = clip(bounds, origin, direction, length) else {
             return Raycast::Miss { steps: 0 };
         };
 
-        // A distance field's slope is 1 somewhere: a bound below it is not worth believing.
-        let lipschitz = header.lipschitz.max(1.0);
-        let within = within.max(RESOLUTION * longest_side(header.bounds));
+        let within = within.max(RESOLUTION * longest_side(bounds));
         let at = |t: f32| {
             let point = [0, 1, 2].map(|axis: usize| origin[axis] + t * direction[axis]);
-            nearest(header.bounds, point)
+            nearest(bounds, point)
         };
 
         let mut cursor = self.cursor();
@@ -96,7 +94,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
             if t >= end {
                 return Raycast::Miss { steps: step };
             }
-            t = (t + distance / lipschitz).min(end);
+            t = (t + distance / steepest).min(end);
         }
         Raycast::OutOfSteps { clear: t }
     }
@@ -108,7 +106,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     /// closest point; beyond a medial axis or a crease it may end at another point of the surface. That it is the
     /// closest is not promised. NaN coordinates count as those of the box's least corner.
     pub fn closest_point(&self, point: [f32; 3]) -> ClosestPoint {
-        let bounds = self.header().bounds;
+        let (bounds, _) = self.bounds_and_steepest();
         let enough = RESOLUTION * longest_side(bounds);
         let mut point = nearest(bounds, point);
         let (mut distance, mut gradient) = self.distance_and_gradient(point);
@@ -141,8 +139,13 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
 }
 
 /// Nearest point of a box; NaN becomes the least corner's.
+#[inline(never)]
 pub(crate) fn nearest(bounds: Aabb, point: [f32; 3]) -> [f32; 3] {
-    [0, 1, 2].map(|axis: usize| point[axis].max(bounds.min[axis]).min(bounds.max[axis]))
+    let mut nearest = point;
+    for ((part, min), max) in nearest.iter_mut().zip(bounds.min).zip(bounds.max) {
+        *part = part.max(min).min(max);
+    }
+    nearest
 }
 
 pub(crate) fn longest_side(bounds: Aabb) -> f32 {

@@ -3,14 +3,38 @@
 /// Coefficients of a polynomial.
 pub(crate) const TERMS: usize = 20;
 
-/// Axes that each term of degree 2 is a product of.
-pub(crate) const SECOND: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
-/// Axes that each term of degree 3 is a product of.
-pub(crate) const THIRD: [[usize; 3]; 10] =
-    [[0, 0, 0], [1, 1, 1], [2, 2, 2], [0, 0, 1], [0, 0, 2], [0, 1, 1], [0, 2, 2], [1, 1, 2], [1, 2, 2], [0, 1, 2]];
+/// The axes that each term is a product of; [`NO_AXIS`] fills the rows.
+pub(crate) const AXES: [[usize; 3]; TERMS] = {
+    const X: usize = 0;
+    const Y: usize = 1;
+    const Z: usize = 2;
+    const N: usize = NO_AXIS;
+    [
+        [N, N, N],
+        [X, N, N],
+        [Y, N, N],
+        [Z, N, N],
+        [X, X, N],
+        [Y, Y, N],
+        [Z, Z, N],
+        [X, Y, N],
+        [X, Z, N],
+        [Y, Z, N],
+        [X, X, X],
+        [Y, Y, Y],
+        [Z, Z, Z],
+        [X, X, Y],
+        [X, X, Z],
+        [X, Y, Y],
+        [X, Z, Z],
+        [Y, Y, Z],
+        [Y, Z, Z],
+        [X, Y, Z],
+    ]
+};
+pub(crate) const NO_AXIS: usize = 3;
 
-/// A polynomial around a sample, by local coordinates: the constant, then the coefficients of x, y, z,
-/// of [`SECOND`] and of [`THIRD`]. Mesh units.
+/// A polynomial around a sample, by local coordinates: the coefficients of the terms of [`AXES`]. Mesh units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polynomial(pub(crate) [f32; TERMS]);
 
@@ -46,7 +70,7 @@ impl Polynomial {
 type QuinticWeights = [[f32; 3]; 2];
 
 /// The quintic Hermite basis at `t`.
-#[inline]
+#[inline(never)]
 fn quintic(t: f32) -> QuinticWeights {
     let rest = 1.0 - t;
     let (cube, rest_cube) = (t * t * t, rest * rest * rest);
@@ -58,7 +82,7 @@ fn quintic(t: f32) -> QuinticWeights {
 }
 
 /// Its derivative.
-#[inline]
+#[inline(never)]
 fn quintic_derivative(t: f32) -> QuinticWeights {
     let rest = 1.0 - t;
     let (square, rest_square) = (t * t, rest * rest);

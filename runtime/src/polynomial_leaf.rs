@@ -1,12 +1,9 @@
 //! From the bits of a leaf of a polynomial octree to its value and derivatives (SPEC.md §12.4, §12.5).
 
+use crate::coefficient_code::{Codes, Window, are_narrow, load, number};
 use crate::layout::{kind, leaf, shape};
 use crate::legendre::{Coefficients, Lanes};
 use crate::polynomial_octree::PolynomialOctree;
-
-/// The bytes that a leaf may take, and enough after them to load eight from any.
-pub(crate) type Window = [u8; leaf::PADDING];
-
 /// What a damaged file has instead of a leaf.
 const NOTHING: &Window = &[0; leaf::PADDING];
 
@@ -41,7 +38,7 @@ impl Shape {
     }
 
     #[inline]
-    fn degree(self, polynomial: usize) -> u32 {
+    pub(crate) fn degree(self, polynomial: usize) -> u32 {
         self.byte(shape::DEGREES.start + polynomial).into()
     }
 
@@ -59,26 +56,20 @@ impl Shape {
     }
 
     #[inline]
-    fn is_single(self) -> bool {
+    pub(crate) fn is_single(self) -> bool {
         self.byte(shape::KIND) == kind::SINGLE
     }
 
-    /// What one of the polynomials answers, in steps and local coordinates.
+    /// Bits of the coefficients of each degree.
     #[inline]
-    fn evaluate(self, polynomial: usize, coefficients: &Coefficients, question: &Question, answer: &mut Answer) {
-        let Question { local, with_gradient, .. } = question;
-        answer.value = coefficients.evaluate(self.degree(polynomial), local, *with_gradient, &mut answer.gradient);
+    fn widths(self) -> [u8; 4] {
+        ((self.0 >> (8 * shape::WIDTHS.start)) as u32).to_le_bytes()
     }
 
-    /// Chooses between the answer of polynomial A and that of B.
-    #[inline(never)]
-    fn choose(self, second: &Coefficients, question: &Question, answer: &mut Answer) {
-        let mut other = Answer::default();
-        self.evaluate(1, second, question, &mut other);
-        let is_min = self.byte(shape::KIND) == kind::MIN;
-        if if is_min { other.value < answer.value } else { other.value > answer.value } {
-            *answer = other;
-        }
+    /// Whether it takes polynomial B for its value rather than that of A.
+    #[inline]
+    pub(crate) fn prefers(self, second: f32, first: f32) -> bool {
+        if self.byte(shape::KIND) == kind::MIN { second < first } else { second > first }
     }
 }
 
@@ -107,6 +98,23 @@ impl Answer {
         (self.value, [x, y, z])
     }
 
+    /// Becomes what a polynomial answers, in steps.
+    #[inline]
+    fn take(&mut self, polynomial: &Coefficients, degree: u32, question: &Question, parts: &mut Lanes) {
+        let Question { local, with_gradient, .. } = question;
+        self.value = polynomial.evaluate(degree, local, *with_gradient, parts, &mut self.gradient);
+    }
+
+    /// Becomes that of polynomial B if the leaf takes that.
+    #[inline(never)]
+    fn choose(&mut self, shape: Shape, second: &Coefficients, question: &Question, parts: &mut Lanes) {
+        let mut other = Answer::default();
+        other.take(second, shape.degree(1), question, parts);
+        if shape.prefers(other.value, self.value) {
+            *self = other;
+        }
+    }
+
     /// From steps to mesh units.
     #[inline]
     fn scale(&mut self, step: f32, per_half: f32) {
@@ -119,29 +127,39 @@ impl Answer {
 /// The polynomials of a leaf.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Polynomials {
-    shape: Shape,
+    pub(crate) shape: Shape,
     /// Step of the coefficients, mesh units.
-    step: f32,
-    first: Coefficients,
-    second: Coefficients,
+    pub(crate) step: f32,
+    pub(crate) first: Coefficients,
+    pub(crate) second: Coefficients,
 }
 
 impl Polynomials {
-    #[inline]
     pub(crate) fn evaluate(&self, question: &Question, answer: &mut Answer) {
-        self.shape.evaluate(0, &self.first, question, answer);
+        let mut parts = Lanes::default();
+        answer.take(&self.first, self.shape.degree(0), question, &mut parts);
         if !self.shape.is_single() {
-            self.shape.choose(&self.second, question, answer);
+            answer.choose(self.shape, &self.second, question, &mut parts);
         }
         answer.scale(self.step, question.per_half);
     }
+}
+
+/// What leaves are evaluated in, one after the other: its contents are of no use afterwards.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Workspace {
+    coefficients: Coefficients,
+    /// What the terms of a polynomial add up to, axis by axis.
+    parts: Lanes,
 }
 
 impl<'a> Bits<'a> {
     /// The leaf at a byte of the section of leaves.
     #[inline]
     pub(crate) fn at(octree: &PolynomialOctree<'a>, place: u32) -> Self {
-        let window = octree.leaves.get(place as usize..).and_then(<[u8]>::first_chunk).unwrap_or(NOTHING);
+        let place = place as usize;
+        let window = octree.leaves.get(place..place.saturating_add(leaf::PADDING));
+        let window = window.and_then(|window| window.try_into().ok()).unwrap_or(NOTHING);
         let head = load(window, 0);
         let shape = octree.shapes.get((head as u32 & octree.shape_mask) as usize).copied().unwrap_or_default();
         Self { window, head, shape: Shape::new(shape) }
@@ -174,22 +192,44 @@ impl<'a> Bits<'a> {
 
     /// What the leaf answers.
     #[inline]
-    pub(crate) fn evaluate(&self, octree: &PolynomialOctree<'_>, question: &Question, answer: &mut Answer) {
-        let mut first = Coefficients::default();
-        let at = self.read_first(octree, &mut first);
-        self.shape.evaluate(0, &first, question, answer);
+    pub(crate) fn evaluate(
+        &self,
+        octree: &PolynomialOctree<'_>,
+        question: &Question,
+        workspace: &mut Workspace,
+        answer: &mut Answer,
+    ) {
+        let at = self.evaluate_one(self.shape.degree(0), octree.header_bits.into(), question, workspace, answer);
         if !self.shape.is_single() {
-            self.choose(at, question, answer);
+            self.choose(at, question, workspace, answer);
         }
         answer.scale(octree.quantum * self.shape.factor(), question.per_half);
     }
 
-    /// Chooses between the answer of polynomial A and that of B, which starts at a bit.
+    /// What a polynomial answers, in steps, which starts at a bit; returns the bit after it.
     #[inline(never)]
-    fn choose(&self, at: u32, question: &Question, answer: &mut Answer) {
-        let mut second = Coefficients::default();
-        self.read_second(at, &mut second);
-        self.shape.choose(&second, question, answer);
+    fn evaluate_one(
+        &self,
+        degree: u32,
+        at: u32,
+        question: &Question,
+        workspace: &mut Workspace,
+        answer: &mut Answer,
+    ) -> u32 {
+        let Workspace { coefficients, parts } = workspace;
+        let at = self.read(degree, at, coefficients);
+        answer.take(coefficients, degree, question, parts);
+        at
+    }
+
+    /// Makes the answer of polynomial A that of B, which starts at a bit, if the leaf takes that.
+    #[inline(never)]
+    fn choose(&self, at: u32, question: &Question, workspace: &mut Workspace, answer: &mut Answer) {
+        let mut other = Answer::default();
+        self.evaluate_one(self.shape.degree(1), at, question, workspace, &mut other);
+        if self.shape.prefers(other.value, answer.value) {
+            *answer = other;
+        }
     }
 
     /// Writes the polynomials.
@@ -197,96 +237,74 @@ impl<'a> Bits<'a> {
     pub(crate) fn decode(&self, octree: &PolynomialOctree<'_>, polynomials: &mut Polynomials) {
         polynomials.shape = self.shape;
         polynomials.step = octree.quantum * self.shape.factor();
-        let at = self.read_first(octree, &mut polynomials.first);
+        let at = self.read(self.shape.degree(0), octree.header_bits.into(), &mut polynomials.first);
         if !self.shape.is_single() {
-            self.read_second(at, &mut polynomials.second);
+            self.read(self.shape.degree(1), at, &mut polynomials.second);
         }
     }
 
-    /// Writes the coefficients of polynomial A; returns the bit after them.
-    #[inline]
-    fn read_first(&self, octree: &PolynomialOctree<'_>, coefficients: &mut Coefficients) -> u32 {
-        let width = Width::new(self.shape.width(0));
-        coefficients.constant = width.number((self.head >> octree.header_bits) as u32);
-        self.read(self.shape.degree(0), u32::from(octree.header_bits) + width.bits, coefficients)
-    }
-
-    /// Writes the coefficients of polynomial B, which start at a bit.
-    #[inline]
-    fn read_second(&self, at: u32, coefficients: &mut Coefficients) {
-        let width = Width::new(self.shape.width(0));
-        coefficients.constant = width.number(load(self.window, at) as u32);
-        self.read(self.shape.degree(1), at + width.bits, coefficients);
-    }
-
-    /// Writes the coefficients of a polynomial but the constant, of which those of degree 1 start at a bit; returns the bit after them.
-    #[inline(never)]
+    /// Writes the coefficients of a polynomial, which starts at a bit; returns the bit after it. Never
+    /// inlined, for the coefficients to be in memory: that makes four-wide code.
+    #[inline(always)]
     fn read(&self, degree: u32, at: u32, coefficients: &mut Coefficients) -> u32 {
+        if !are_narrow(self.shape.widths()) {
+            return self.read_wide(degree, at, coefficients);
+        }
+        let width = self.shape.width(0);
+        let bits = load(self.window, at);
+        coefficients.constant = number(width, bits);
+        let at = at + width;
         if degree == 0 {
             return at;
         }
-        let width = Width::new(self.shape.width(1));
-        width.three(load(self.window, at), &mut coefficients.linear);
-        let at = at + 3 * width.bits;
+
+        let bits = bits >> width;
+        let width = self.shape.width(1) & 15;
+        Codes::of(width).three(bits, &mut coefficients.linear);
+        let at = at + 3 * width;
         if degree == 1 {
             return at;
         }
 
-        let width = Width::new(self.shape.width(2));
-        let step = 3 * width.bits;
-        width.three(load(self.window, at), &mut coefficients.square);
-        width.three(load(self.window, at + step), &mut coefficients.cross);
-        let at = at + 2 * step;
+        let width = self.shape.width(2) & 15;
+        let codes = Codes::of(width);
+        let bits = load(self.window, at);
+        codes.three(bits, &mut coefficients.square);
+        codes.three(bits >> (3 * width), &mut coefficients.cross);
+        let at = at + 6 * width;
         if degree == 2 {
             return at;
         }
 
-        let width = Width::new(self.shape.width(3));
-        let step = 3 * width.bits;
-        width.three(load(self.window, at), &mut coefficients.cube);
-        width.three(load(self.window, at + step), &mut coefficients.next);
-        width.three(load(self.window, at + 2 * step), &mut coefficients.previous);
-        coefficients.product = width.number(load(self.window, at + 3 * step) as u32);
-        at + 3 * step + width.bits
-    }
-}
-
-/// How many bits the coefficients of a degree have.
-#[derive(Clone, Copy)]
-struct Width {
-    bits: u32,
-    mask: u32,
-    /// The code of 0.
-    half: i32,
-}
-
-impl Width {
-    #[inline]
-    fn new(bits: u32) -> Self {
-        Self { bits, mask: (1 << bits) - 1, half: (1_u32 << bits >> 1).cast_signed() }
+        let width = self.shape.width(3) & 15;
+        let codes = Codes::of(width);
+        let bits = load(self.window, at);
+        codes.three(bits, &mut coefficients.cube);
+        codes.three(bits >> (3 * width), &mut coefficients.next);
+        codes.three(bits >> (6 * width), &mut coefficients.previous);
+        coefficients.product = codes.one(bits >> (9 * width));
+        at + 10 * width
     }
 
-    /// The number whose code is in the lowest bits.
-    #[inline]
-    fn number(self, bits: u32) -> f32 {
-        ((bits & self.mask).cast_signed() - self.half) as f32
-    }
-
-    /// Three numbers whose codes are in the lowest bits. The last lane is not of use: four alike make better code.
-    #[inline]
-    fn three(self, bits: u64, numbers: &mut Lanes) {
-        let (second, third) = ((bits >> self.bits) as u32, (bits >> self.bits >> self.bits) as u32);
-        for (code, number) in [bits as u32, second, third, 0].into_iter().zip(numbers) {
-            *number = ((code & self.mask).cast_signed() - self.half) as f32;
+    /// The same for codes of any width, one after the other.
+    #[inline(never)]
+    fn read_wide(&self, degree: u32, mut at: u32, coefficients: &mut Coefficients) -> u32 {
+        let mut next = |of: usize| {
+            let width = self.shape.width(of);
+            let number = number(width, load(self.window, at));
+            at += width;
+            number
+        };
+        coefficients.constant = next(0);
+        let Coefficients { linear, square, cross, cube, next: by_next, previous, .. } = coefficients;
+        for (of, three) in [(1, linear), (2, square), (2, cross), (3, cube), (3, by_next), (3, previous)] {
+            if of as u32 <= degree {
+                three.iter_mut().take(3).for_each(|number| *number = next(of));
+            }
         }
+        if degree >= 3 {
+            coefficients.product = next(3);
+        }
+        at
     }
-}
-
-/// At least 57 bits from a bit on.
-#[inline]
-fn load(window: &Window, bit: u32) -> u64 {
-    // The mask shows the compiler that no index can fail.
-    let byte = (bit >> 3) as usize & 63;
-    let bytes = window.get(byte..).and_then(<[u8]>::first_chunk).copied().unwrap_or_default();
-    u64::from_le_bytes(bytes) >> (bit & 7)
 }

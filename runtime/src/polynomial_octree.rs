@@ -1,13 +1,13 @@
 //! The octree of polynomials: its parameters, and from a point to the leaf that holds it (SPEC.md §12).
 
-use crate::blend;
+use crate::blend::{self, Sides};
 use crate::bytes::{Words, f32_at, u8_at, u16x3_at, u32_at};
 use crate::error::Error;
 use crate::header::Aabb;
 use crate::lattice::{Lattice, Leaf, Position, padded};
 use crate::layout::{continuity, leaf, limit, octree, polynomial as at, record, root_word, section, shape};
 use crate::octree::Continuity;
-use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Polynomials, Question};
+use crate::polynomial_leaf::{Answer, Bits, OverlapCodes, Polynomials, Question, Workspace};
 use crate::section as sections;
 
 /// An octree whose leaves are polynomials, blended where they overlap.
@@ -57,14 +57,23 @@ pub(crate) struct Place {
     pub(crate) path: Path,
 }
 
-/// A leaf that has been read, and the last place in it.
+/// The last place that was asked about, and what is known of its leaf.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Visit {
-    /// Whether there has been one.
-    is_some: bool,
+    known: Known,
     place: Place,
     codes: OverlapCodes,
     polynomials: Polynomials,
+}
+
+/// What is known of a leaf. Its polynomials are not read until a second query asks for them: reading and evaluating at
+/// once is faster.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Known {
+    #[default]
+    Nothing,
+    Place,
+    Polynomials,
 }
 
 /// How far the supports of others reach into a leaf, by its reach code: in overlaps, where half an edge of the leaf is 1.
@@ -259,7 +268,7 @@ impl<'a> PolynomialOctree<'a> {
             with_gradient: true,
         };
         let mut answer = Answer::default();
-        Bits::at(self, leaf.place).evaluate(self, &question, &mut answer);
+        Bits::at(self, leaf.place).evaluate(self, &question, &mut Workspace::default(), &mut answer);
         answer.split()
     }
 
@@ -267,74 +276,107 @@ impl<'a> PolynomialOctree<'a> {
     /// [`Field::distance_and_gradient`](crate::Field::distance_and_gradient), which blends leaves where they overlap, and with
     /// jumps on their faces. `None` outside the box.
     pub fn unblended(&self, point: [f32; 3]) -> Option<(f32, [f32; 3])> {
-        if !self.lattice.contains(point) {
+        let (mut place, mut outside) = (Place::default(), [0; 4]);
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut outside);
+        if outside[0] | outside[1] | outside[2] != 0 {
             return None;
         }
-        let (mut place, mut answer) = (Place::default(), Answer::default());
-        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
-        let bits = self.find(&mut place);
-        bits.evaluate(self, &self.question(&place.cell, place.shift, &place.position, true), &mut answer);
+        self.find(&mut place);
+        let bits = Bits::at(self, place.leaf);
+        let question = self.question(&place.cell, place.shift, &place.position, true);
+        let mut answer = Answer::default();
+        bits.evaluate(self, &question, &mut Workspace::default(), &mut answer);
         Some(answer.split())
     }
 
     /// Value and, if asked for, gradient at a point of the box.
     #[inline(never)]
     pub(crate) fn query(&self, point: [f32; 3], with_gradient: bool) -> Answer {
-        let (mut place, mut answer) = (Place::default(), Answer::default());
-        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell);
-        let bits = self.find(&mut place);
-        let question = self.question(&place.cell, place.shift, &place.position, with_gradient);
-        bits.evaluate(self, &question, &mut answer);
-        self.blend_if_near(&place, bits.overlap_codes(self), &question, &mut answer);
-        answer
+        let mut place = Place::default();
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
+        self.find(&mut place);
+        self.answer_at(&place, with_gradient)
+    }
+
+    /// The same at a place, by a call.
+    #[inline(never)]
+    pub(crate) fn query_at(&self, place: &Place, with_gradient: bool) -> Answer {
+        self.answer_at(place, with_gradient)
+    }
+
+    #[inline(always)]
+    fn answer_at(&self, place: &Place, with_gradient: bool) -> Answer {
+        let bits = Bits::at(self, place.leaf);
+        self.answer(place, bits.overlap_codes(self), with_gradient, |question, workspace, answer| {
+            bits.evaluate(self, question, workspace, answer);
+        })
     }
 
     /// The same from the last visit, which it changes.
     #[inline(never)]
     pub(crate) fn query_from(&self, point: [f32; 3], with_gradient: bool, visit: &mut Visit) -> Answer {
-        let last = visit.place.cell;
-        self.lattice.locate(&padded(point), &mut visit.place.position, &mut visit.place.cell);
-        let [x, y, z, _] = visit.place.cell;
+        let Visit { known, place, codes, polynomials } = visit;
+        let last = place.cell;
+        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
+        let [x, y, z, _] = place.cell;
         let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
-        if !visit.is_some || different >> visit.place.shift != 0 {
-            let bits = self.find(&mut visit.place);
-            visit.codes = bits.overlap_codes(self);
-            bits.decode(self, &mut visit.polynomials);
-            visit.is_some = true;
+        let is_same = *known != Known::Nothing && different >> place.shift == 0;
+        if !is_same {
+            self.find(place);
+            (*known, *codes) = (Known::Place, Bits::at(self, place.leaf).overlap_codes(self));
+        } else if *known == Known::Place {
+            Bits::at(self, place.leaf).decode(self, polynomials);
+            *known = Known::Polynomials;
         }
-        let question = self.question(&visit.place.cell, visit.place.shift, &visit.place.position, with_gradient);
-        let mut answer = Answer::default();
-        visit.polynomials.evaluate(&question, &mut answer);
-        self.blend_if_near(&visit.place, visit.codes, &question, &mut answer);
+        self.answer(place, *codes, with_gradient, |question, workspace, answer| {
+            if *known == Known::Polynomials {
+                polynomials.evaluate(question, answer);
+            } else {
+                Bits::at(self, place.leaf).evaluate(self, question, workspace, answer);
+            }
+        })
+    }
+
+    /// The answer at a place: that of its leaf, blended with others that may have a say there.
+    #[inline(always)]
+    pub(crate) fn answer(
+        &self,
+        place: &Place,
+        codes: OverlapCodes,
+        with_gradient: bool,
+        evaluate: impl Fn(&Question, &mut Workspace, &mut Answer),
+    ) -> Answer {
+        let mut question = self.question_beyond(place.shift, with_gradient);
+        let (mut sides, mut workspace, mut answer) = (Sides::default(), Workspace::default(), Answer::default());
+        self.look(&place.cell, place.shift, codes, &place.position, &mut question.local, &mut sides);
+        evaluate(&question, &mut workspace, &mut answer);
+        if sides.near() != 0 {
+            self.blend(place, codes, &question, &mut sides, &mut workspace, &mut answer);
+        }
         answer
     }
 
     /// Finds the leaf of a place.
-    #[inline]
-    fn find(&self, place: &mut Place) -> Bits<'a> {
+    #[inline(never)]
+    pub(crate) fn find(&self, place: &mut Place) {
         let [x, y, z, _] = place.cell;
         let node = self.root(self.lattice.root_of([x, y, z]));
         let depth = u32::from(self.lattice.depth);
         (place.leaf, place.shift) = self.descend(&place.cell, node, depth, &mut place.path);
-        Bits::at(self, place.leaf)
     }
 
     /// What to ask the leaf that holds a cell.
     #[inline]
     pub(crate) fn question(&self, cell: &[u32; 4], shift: u32, position: &Position, with_gradient: bool) -> Question {
-        let mut question = Question { local: [0.0; 4], per_half: self.lattice.per_half(shift), with_gradient };
+        let mut question = self.question_beyond(shift, with_gradient);
         blend::local(cell, shift, position, &mut question.local);
         question
     }
 
-    /// Blends the answer of the leaf of a place with those of others that may have a say there.
+    /// What to ask a leaf of an edge, but where.
     #[inline]
-    fn blend_if_near(&self, place: &Place, codes: OverlapCodes, question: &Question, answer: &mut Answer) {
-        let within = self.alone_within(codes.reach);
-        let [x, y, z, _] = question.local;
-        if (x.abs() > within) | (y.abs() > within) | (z.abs() > within) {
-            self.blend(place, codes, question, answer);
-        }
+    fn question_beyond(&self, shift: u32, with_gradient: bool) -> Question {
+        Question { local: [0.0; 4], per_half: self.lattice.per_half(shift), with_gradient }
     }
 
     /// Beyond which local coordinate of a leaf others may have a say, -1 to 1 being the leaf.
@@ -358,7 +400,7 @@ impl<'a> PolynomialOctree<'a> {
 
     /// From a node whose edge is 2^`shift` to the leaf in it that holds a finest cell: its place, and its edge as a power
     /// of two. Writes the records on the way, by the power of two of their children's edge.
-    #[inline(never)]
+    #[inline]
     pub(crate) fn descend(
         &self,
         &[x, y, z, _]: &[u32; 4],

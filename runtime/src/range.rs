@@ -26,10 +26,9 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         }
 
         // Beyond the field's box the distance to it is added, whose slope is 1.
-        let header = self.header();
-        let is_inside =
-            nearest(header.bounds, region.min) == region.min && nearest(header.bounds, region.max) == region.max;
-        let slope = header.lipschitz.max(1.0) + if is_inside { 0.0 } else { 1.0 };
+        let (bounds, steepest) = self.bounds_and_steepest();
+        let is_inside = nearest(bounds, region.min) == region.min && nearest(bounds, region.max) == region.max;
+        let slope = steepest + if is_inside { 0.0 } else { 1.0 };
         let radius = if size == [0.0; 3] { 0.0 } else { math::length_and_direction(size).0 / (2 * PARTS) as f32 };
 
         let (mut least, mut greatest) = (f32::INFINITY, f32::NEG_INFINITY);
@@ -54,7 +53,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     /// box, which holds the mesh.
     pub fn clearance(&self, point: [f32; 3]) -> f32 {
         let error = self.contract().max_error();
-        let closest = nearest(self.header().bounds, point);
+        let closest = nearest(self.bounds_and_steepest().0, point);
         if closest == point {
             return self.distance(point) - error;
         }

@@ -21,9 +21,18 @@ impl Weights {
     /// Weights whose derivatives vanish at both ends, up to the `smoothness`-th.
     #[inline]
     fn new(smoothness: u8, t: f32) -> Self {
+        if smoothness == 0 {
+            Self { value: [1.0 - t, t], derivative: [-1.0, 1.0] }
+        } else {
+            Self::smooth(smoothness, t)
+        }
+    }
+
+    /// The same of smoothness 1 and above.
+    #[inline(never)]
+    fn smooth(smoothness: u8, t: f32) -> Self {
         let rest = 1.0 - t;
         let (end, slope) = match smoothness {
-            0 => (t, 1.0),
             1 => (t * t * (3.0 - 2.0 * t), 6.0 * t * rest),
             2 => (t * t * t * (10.0 - t * (15.0 - 6.0 * t)), 30.0 * (t * t) * (rest * rest)),
             _ => {
@@ -95,19 +104,15 @@ struct Answers {
 
 impl Grid<'_> {
     /// Value at local coordinates of a cell, 0 to 1 along each axis; mesh units.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn value(&self, cell: [u32; 3], local: [f32; 3]) -> f32 {
         match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => {
+            (1, Reconstruction::Nearest) => self.rare(cell, local).0,
+            (1, _) => {
                 let mut corners = FirstOrder::ZERO;
                 self.read_first_order(cell, &mut corners);
-                tricubic(&corners.jets(), local)
-            }
-            (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                first_order_value(&corners, &self.place(local))
+                self.value_between(&corners, local)
             }
             _ => self.rare(cell, local).0,
         }
@@ -116,32 +121,49 @@ impl Grid<'_> {
     /// Value and gradient at local coordinates, 0 to 1 along each axis, of the cell above a sample.
     ///
     /// The value is in mesh units, the gradient without unit. Cells beyond the last count as it.
-    #[inline]
+    #[inline(never)]
     pub fn evaluate(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let last = self.resolution();
         let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
         let (value, slopes) = match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
-            (1, Reconstruction::Hermite) => {
+            (1, Reconstruction::Nearest) => self.rare(cell, local),
+            (1, _) => {
                 let mut corners = FirstOrder::ZERO;
                 self.read_first_order(cell, &mut corners);
-                tricubic_and_derivatives(&corners.jets(), local)
-            }
-            (1, Reconstruction::Linear | Reconstruction::Half | Reconstruction::Blend) => {
-                let mut corners = FirstOrder::ZERO;
-                self.read_first_order(cell, &mut corners);
-                first_order_value_and_slopes(&corners, &self.place(local))
+                self.value_and_slopes_between(&corners, local)
             }
             _ => self.rare(cell, local),
         };
         (value, self.per_unit(slopes))
     }
 
+    /// Value between first-order samples.
+    #[inline(never)]
+    pub(crate) fn value_between(&self, corners: &FirstOrder, local: [f32; 3]) -> f32 {
+        match self.reconstruction() {
+            Reconstruction::Hermite => tricubic(&corners.jets(), local),
+            _ => first_order_value(corners, &self.place(local)),
+        }
+    }
+
+    /// Value and derivatives by local coordinates between first-order samples.
+    #[inline(never)]
+    pub(crate) fn value_and_slopes_between(&self, corners: &FirstOrder, local: [f32; 3]) -> (f32, [f32; 3]) {
+        match self.reconstruction() {
+            Reconstruction::Hermite => tricubic_and_derivatives(&corners.jets(), local),
+            _ => first_order_value_and_slopes(corners, &self.place(local)),
+        }
+    }
+
     /// What a first-order reconstruction makes of a point.
     #[inline]
     fn place(&self, local: [f32; 3]) -> Place {
         let [_, share, ..] = self.factors();
-        Place { local, weights: local.map(|t| Weights::new(self.smoothness(), t)), share }
+        let ([x, y, z], smoothness) = (local, self.smoothness());
+        // Each by its name: of an array compilers make a call.
+        let weights = [Weights::new(smoothness, x), Weights::new(smoothness, y), Weights::new(smoothness, z)];
+        Place { local, weights, share }
     }
 
     /// The reconstructions that are not built for speed.
@@ -166,14 +188,12 @@ impl Grid<'_> {
     fn weighted(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let [x, y, z] = local.map(|t| Weights::new(self.smoothness(), t));
         let Answers { value, slope: [by_x, by_y, by_z] } = self.answers(cell, local);
-        let of_weights = [
-            trilinear_sum(&value, x.derivative, y.value, z.value),
-            trilinear_sum(&value, x.value, y.derivative, z.value),
-            trilinear_sum(&value, x.value, y.value, z.derivative),
+        let slopes = [
+            rare_sum(&value, x.derivative, y.value, z.value) + rare_sum(&by_x, x.value, y.value, z.value),
+            rare_sum(&value, x.value, y.derivative, z.value) + rare_sum(&by_y, x.value, y.value, z.value),
+            rare_sum(&value, x.value, y.value, z.derivative) + rare_sum(&by_z, x.value, y.value, z.value),
         ];
-        let of_polynomials = [by_x, by_y, by_z].map(|slope| trilinear_sum(&slope, x.value, y.value, z.value));
-        let slopes = [0, 1, 2].map(|axis: usize| of_weights[axis] + of_polynomials[axis]);
-        (trilinear_sum(&value, x.value, y.value, z.value), slopes)
+        (rare_sum(&value, x.value, y.value, z.value), slopes)
     }
 
     fn answers(&self, cell: [u32; 3], [x, y, z]: [f32; 3]) -> Answers {
@@ -210,6 +230,12 @@ impl Grid<'_> {
             _ => [1.0, 0.75, 0.5, 0.25],
         }
     }
+}
+
+/// [`trilinear_sum`] where it is called seven times and may take its time.
+#[inline(never)]
+fn rare_sum(corners: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
+    trilinear_sum(corners, x, y, z)
 }
 
 /// Value between first-order samples.

@@ -30,6 +30,20 @@ pub trait Shape<'a>: Copy {
     /// Value and gradient at a point of the box.
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]);
 
+    /// Value at each of the points of the box, of which there are no more than `values`, to the bit that of [`value`](Self::value).
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        for (&point, value) in points.iter().zip(values) {
+            *value = self.value(point);
+        }
+    }
+
+    /// Value and gradient at each of the points of the box, of which there are no more than of either, to the bit those of [`evaluate`](Self::evaluate).
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        for (&point, (value, gradient)) in points.iter().zip(values.iter_mut().zip(gradients)) {
+            (*value, *gradient) = self.evaluate(point);
+        }
+    }
+
     /// Which it is, where it lies. Known to the compiler for all but [`Any`].
     fn kind(&self) -> Kind<'_, 'a>;
 }
@@ -103,6 +117,22 @@ impl<'a> Shape<'a> for Any<'a> {
         }
     }
 
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        match self {
+            Self::Grid(grid) => grid.values(points, values),
+            Self::Octree(octree) => octree.values(points, values),
+            Self::Polynomial(octree) => octree.values(points, values),
+        }
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        match self {
+            Self::Grid(grid) => grid.evaluate_each(points, values, gradients),
+            Self::Octree(octree) => octree.evaluate_each(points, values, gradients),
+            Self::Polynomial(octree) => octree.evaluate_each(points, values, gradients),
+        }
+    }
+
     #[inline]
     fn kind(&self) -> Kind<'_, 'a> {
         match self {
@@ -139,6 +169,14 @@ impl<'a> Shape<'a> for Grid<'a> {
         self.evaluate(cell, local)
     }
 
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        self.values(points, values);
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.evaluate_each(points, values, gradients);
+    }
+
     #[inline]
     fn kind(&self) -> Kind<'_, 'a> {
         Kind::Grid(self)
@@ -171,6 +209,14 @@ impl<'a> Shape<'a> for Octree<'a> {
         self.evaluate(&leaf, local)
     }
 
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        self.values(points, values);
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.evaluate_each(points, values, gradients);
+    }
+
     #[inline]
     fn kind(&self) -> Kind<'_, 'a> {
         Kind::Octree(self)
@@ -199,6 +245,14 @@ impl<'a> Shape<'a> for PolynomialOctree<'a> {
     #[inline]
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         self.query(point, true).split()
+    }
+
+    fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
+        self.query_each(points, values, None);
+    }
+
+    fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.query_each(points, values, Some(gradients));
     }
 
     #[inline]

@@ -19,6 +19,8 @@ pub(crate) struct MeshShape {
 pub(crate) struct Shapes {
     pub(crate) bunny: MeshShape,
     pub(crate) armadillo: MeshShape,
+    /// Where the papers have a dragon.
+    pub(crate) horse: MeshShape,
     /// An open room of sheets; there is no stand-in.
     pub(crate) sponza: Option<MeshShape>,
 }
@@ -37,6 +39,7 @@ impl Shapes {
                 .map(|folder| folder.join("sponza.obj"))
                 .filter(|path| path.exists())
                 .map(|path| MeshShape::new("sponza", "Crytek's Sponza", &path)),
+            horse: find("horse", "horse.ply", "the horse of 96 966 triangles, closed, of slender limbs"),
             armadillo: find("armadillo", "armadillo.obj", "an Armadillo of 86 482 triangles"),
         }
     }

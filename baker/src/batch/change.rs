@@ -76,6 +76,11 @@ impl Inputs {
         Ok(Self { key: Key::new(&contents, settings, BAKER), files, contents, settings })
     }
 
+    /// Length of all files together.
+    pub fn bytes(&self) -> u64 {
+        self.files.iter().map(|(_, stamp)| stamp.bytes).sum()
+    }
+
     /// The first input that is no longer as it was when it was read, by the size and the time of the file.
     pub fn disturbed(&self) -> Option<&Path> {
         let changed = |(path, stamp): &&(PathBuf, FileStamp)| FileStamp::of(path).ok() != Some(*stamp);

@@ -3,6 +3,7 @@
 mod cache;
 mod change;
 mod manifest;
+pub mod memory;
 mod shard;
 
 pub use cache::Cache;

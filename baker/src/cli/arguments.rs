@@ -60,13 +60,22 @@ pub(super) struct SignArguments {
 
 impl SignArguments {
     pub(super) fn choice(self) -> Result<SignChoice, Failure> {
-        match (self.sign, self.thickness) {
-            (Sign::Sheet, thickness) => Ok(SignChoice::Sheet { thickness: thickness.unwrap_or_default() }),
-            (_, Some(_)) => Err(Failure::Usage("--thickness goes with --sign sheet".to_owned())),
-            (Sign::Auto, None) => Ok(SignChoice::Auto),
-            (Sign::Pseudonormal, None) => Ok(SignChoice::Pseudonormal),
-            (Sign::Winding, None) => Ok(SignChoice::Winding),
-            (Sign::Rays, None) => Ok(SignChoice::Rays),
+        if self.thickness.is_some() && !matches!(self.sign, Sign::Sheet) {
+            return Err(Failure::Usage("--thickness goes with --sign sheet".to_owned()));
+        }
+        Ok(self.sign.choice(self.thickness.unwrap_or_default()))
+    }
+}
+
+impl Sign {
+    /// What it asks for; the thickness is that of sheets, mesh units.
+    pub(super) fn choice(self, thickness: f64) -> SignChoice {
+        match self {
+            Self::Auto => SignChoice::Auto,
+            Self::Pseudonormal => SignChoice::Pseudonormal,
+            Self::Winding => SignChoice::Winding,
+            Self::Rays => SignChoice::Rays,
+            Self::Sheet => SignChoice::Sheet { thickness },
         }
     }
 }
@@ -97,12 +106,29 @@ pub(super) fn not_negative(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A number of bytes, with K for 1024 and M for 1024 K.
+/// A number of bytes, with K for 1024, M for 1024 K and G for 1024 M.
 pub(super) fn bytes(text: &str) -> Result<u64, String> {
-    let (digits, unit) = match text.strip_suffix(['K', 'k']) {
-        Some(digits) => (digits, 1 << 10),
-        None => text.strip_suffix(['M', 'm']).map_or((text, 1), |digits| (digits, 1 << 20)),
+    let digits = text.trim_end_matches(|last: char| last.is_ascii_alphabetic());
+    let unit = match &text[digits.len()..] {
+        "" => Some(1),
+        "K" | "k" => Some(1 << 10),
+        "M" | "m" => Some(1 << 20),
+        "G" | "g" => Some(1 << 30),
+        _ => None,
     };
-    let number = digits.parse::<u64>().ok().and_then(|number| number.checked_mul(unit)).filter(|&number| number > 0);
-    number.ok_or_else(|| "it must be a number of bytes above 0, as 65536, 64K or 2M".to_owned())
+    let number = unit.and_then(|unit: u64| digits.parse::<u64>().ok()?.checked_mul(unit)).filter(|&number| number > 0);
+    number.ok_or_else(|| "it must be a number of bytes above 0, as 65536, 64K, 2M or 1G".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_have_units() {
+        assert_eq!(["7", "64K", "2m", "3G"].map(bytes), [7, 64 << 10, 2 << 20, 3 << 30].map(Ok));
+        for wrong in ["", "0", "K", "1KB", "1.5G", "-1", "99999999999G"] {
+            assert!(bytes(wrong).is_err(), "{wrong}");
+        }
+    }
 }

@@ -71,6 +71,10 @@ pub(super) struct Bake {
     #[arg(long, value_enum, value_name = "I", default_value_t = Interpolant::Auto)]
     interpolant: Interpolant,
 
+    /// How the error of trilinear and tricubic leaves is estimated [default: trapezoid]
+    #[arg(long, value_enum, value_name = "T")]
+    termination: Option<Termination>,
+
     /// Greatest error asked for, as a fraction of the diagonal; of polynomial leaves
     #[arg(long, value_name = "E", value_parser = positive)]
     max_error: Option<f64>,
@@ -156,6 +160,18 @@ enum Interpolant {
     Trilinear,
     /// Distances and gradients at the corners
     Tricubic,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Termination {
+    /// Root mean square of 27 points by the trapezoid rule
+    Trapezoid,
+    /// Root mean square of 27 points by Simpson's rule
+    Simpson,
+    /// The trapezoid rule; farther from the surface than 2 % of the diagonal in proportion to the distance
+    ByDistance,
+    /// The greatest of 27 points
+    MaxError,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
@@ -357,6 +373,12 @@ impl Bake {
             error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
             max_bytes: self.max_bytes,
             interpolant,
+            termination: match self.termination {
+                None | Some(Termination::Trapezoid) => settings::Termination::Trapezoid,
+                Some(Termination::Simpson) => settings::Termination::Simpson,
+                Some(Termination::ByDistance) => settings::Termination::ByDistance,
+                Some(Termination::MaxError) => settings::Termination::MaxError,
+            },
             continuity,
             precision: match self.precision {
                 Precision::Packed32 => settings::Precision::Packed32,
@@ -376,6 +398,12 @@ impl Bake {
 
     fn layout(&self) -> Result<Layout, Failure> {
         let layout = self.grid.layout()?;
+        let is_polynomial =
+            layout == Layout::Octree && matches!(self.interpolant, Interpolant::Auto | Interpolant::Polynomial);
+        if self.termination.is_some() && (is_polynomial || layout != Layout::Octree) {
+            let sentence = "--termination is of the octree's trilinear and tricubic leaves: use --interpolant";
+            return Err(Failure::Usage(sentence.to_owned()));
+        }
         let polynomial = PolynomialSettings {
             max_error: self.max_error.map(Target::Relative),
             profile: match self.profile {
@@ -384,7 +412,7 @@ impl Bake {
             },
             overlap: self.overlap,
         };
-        if layout == Layout::Octree && matches!(self.interpolant, Interpolant::Auto | Interpolant::Polynomial) {
+        if is_polynomial {
             return Ok(Layout::Polynomial(polynomial));
         }
         if polynomial != PolynomialSettings::default() {

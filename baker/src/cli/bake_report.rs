@@ -7,7 +7,7 @@ use nearfield_bake::distance::SignMethod;
 use nearfield_bake::mesh::{CheckedMesh, Role};
 use nearfield_bake::report::{Report, Stage};
 use nearfield_bake::settings::{
-    Continuity, Interpolant, Layout, PolynomialSettings, Precision, Profile, Settings, Target,
+    Continuity, Interpolant, Layout, PolynomialSettings, Precision, Profile, Settings, Target, Termination,
 };
 use nearfield_bake::verify::Measurement;
 use schemars::JsonSchema;
@@ -35,6 +35,7 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
     let target = settings.error.absolute(mesh.bounds.diagonal());
     let error = match &settings.layout {
         Layout::Polynomial(polynomial) if polynomial.profile == Profile::Surface => report.measurement.band.rmse,
+        Layout::Octree if settings.termination == Termination::ByDistance => report.measurement.band.rmse,
         Layout::Polynomial(_) | Layout::Octree => report.measurement.uniform.rmse,
         Layout::Grid(_) => 0.0,
     };
@@ -189,6 +190,8 @@ struct SettingsReport {
     interpolant: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     polynomial: Option<PolynomialReport>,
+    /// Of trilinear and tricubic leaves.
+    termination: Option<&'static str>,
     continuity: &'static str,
     precision: &'static str,
     start_depth: u8,
@@ -278,6 +281,12 @@ pub(super) fn report(
                 Layout::Polynomial(polynomial) => Some(PolynomialReport::of(polynomial)),
                 Layout::Octree | Layout::Grid(_) => None,
             },
+            termination: (settings.layout == Layout::Octree).then_some(match settings.termination {
+                Termination::Trapezoid => "trapezoid",
+                Termination::Simpson => "simpson",
+                Termination::ByDistance => "by-distance",
+                Termination::MaxError => "max-error",
+            }),
             continuity: match settings.continuity {
                 Continuity::None => "none",
                 Continuity::C0 => "c0",

@@ -1,11 +1,12 @@
 //! `nearfield batch`: every mesh of a manifest that has changed.
 
-use super::arguments::Threads;
+use super::arguments::{Threads, bytes};
 use super::bake::Bake;
 use super::batch_report::{BatchReport, Outcome, Verdict, summary};
 use super::exit_code::Failure;
 use super::{bake_report, files, print, tell, to_json};
 use clap::Args;
+use nearfield_bake::batch::memory::{self, MemoryBudget};
 use nearfield_bake::batch::{Asset, Cache, Change, Inputs, Manifest, Shard, examine};
 use nearfield_bake::output;
 use nearfield_bake::progress::Silent;
@@ -70,6 +71,11 @@ pub(super) struct Batch {
     #[arg(short, long, value_name = "N")]
     jobs: Option<NonZeroUsize>,
 
+    /// Memory that all bakes at a time may take by their estimates, as 512M or 8G: those that do not fit beside the
+    /// others wait, and a mesh that never will fails with exit code 6 [default: no limit]
+    #[arg(long, value_name = "N", value_parser = bytes)]
+    memory: Option<u64>,
+
     /// Do part I of N only; the same meshes belong to it on every machine
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
@@ -133,13 +139,15 @@ impl Batch {
         let next = AtomicUsize::new(0);
         let failures = AtomicUsize::new(0);
         let outcomes = Mutex::new(Vec::new());
+        let budget = MemoryBudget::new(self.memory);
 
-        // A worker waits for the bake that it starts; the pool's threads do the work of all of them.
+        // A worker waits for memory and for the bake that it starts; the pool's threads, which never wait, do the work of
+        // all of them.
         let worker = || {
             while let Some((index, job)) = take_next(&next, jobs) {
                 let enough = self.keep_going > 0 && failures.load(Ordering::Relaxed) >= self.keep_going;
                 let start = Instant::now();
-                let verdict = if enough { Verdict::NotStarted } else { pool.install(|| self.run_one(job)) };
+                let verdict = if enough { Verdict::NotStarted } else { self.run_one(job, pool, &budget) };
                 if matches!(verdict, Verdict::Failed(_)) {
                     failures.fetch_add(1, Ordering::Relaxed);
                 }
@@ -160,11 +168,11 @@ impl Batch {
         outcomes.into_iter().map(|(_, outcome)| outcome).collect()
     }
 
-    fn run_one(&self, job: &Job) -> Verdict {
-        self.bring_up_to_date(job).unwrap_or_else(Verdict::Failed)
+    fn run_one(&self, job: &Job, pool: &ThreadPool, budget: &MemoryBudget) -> Verdict {
+        self.bring_up_to_date(job, pool, budget).unwrap_or_else(Verdict::Failed)
     }
 
-    fn bring_up_to_date(&self, job: &Job) -> Result<Verdict, Failure> {
+    fn bring_up_to_date(&self, job: &Job, pool: &ThreadPool, budget: &MemoryBudget) -> Result<Verdict, Failure> {
         let Job { asset, arguments, cache } = job;
         let settings = arguments.settings()?;
         let unreadable = |error| Failure::Input(format!("cannot read {error}; check the path and its permissions"));
@@ -197,11 +205,15 @@ impl Batch {
 
         // What must be.
         files::check_output(&asset.field, &asset.mesh)?;
-        let mesh = files::read_mesh(&asset.mesh, &arguments.reading.read_options()?)?;
+        let too_large = |error| Failure::Budget(format!("{}: {error}", asset.mesh.display()));
+        let held = budget.reserve(memory::to_read(inputs.bytes())).map_err(too_large)?;
+        let options = arguments.reading.read_options()?;
+        let mesh = pool.install(|| files::read_mesh(&asset.mesh, &options))?;
         if let Some(path) = inputs.disturbed() {
             return Err(Failure::Input(format!("{} changed while it was read; run the batch again", path.display())));
         }
-        let (baked, settings) = arguments.bake(&mesh, &settings, &Silent)?;
+        let _held = held.resize(memory::to_bake(mesh.triangles.len())).map_err(too_large)?;
+        let (baked, settings) = pool.install(|| arguments.bake(&mesh, &settings, &Silent))?;
         arguments.check_doubt(&baked.report.measurement)?;
         files::write_bytes_if_changed(&asset.field, &baked.bytes)?;
         if let Err(error) = cache.keep(&inputs.key, &baked.bytes) {

@@ -2,6 +2,7 @@
 
 use super::exit_code::Failure;
 use nearfield_bake::batch::{Asset, Reason};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::time::Duration;
 
@@ -86,15 +87,19 @@ pub(super) fn summary(outcomes: &[Outcome]) -> String {
     )
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct BatchReport {
+    /// Version of the names and their meanings: 1.
     schema: u32,
+    /// In the order of the manifest.
     assets: Vec<AssetReport>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct AssetReport {
+    /// Path of the mesh.
     mesh: String,
+    /// Path of the field.
     field: String,
     /// The settings, as flags of `nearfield bake`.
     flags: Vec<String>,
@@ -104,6 +109,7 @@ struct AssetReport {
     reason: Option<String>,
     /// 0, or the exit code that `nearfield bake` would have ended with.
     exit_code: u8,
+    /// Time that it took.
     wall_seconds: f64,
 }
 

@@ -7,6 +7,7 @@ use super::{files, print, to_json};
 use clap::Args;
 use nearfield::Field;
 use nearfield_bake::verify::{FieldDifference, compare};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -44,31 +45,42 @@ pub(super) struct Diff {
     json: bool,
 }
 
-#[derive(Debug, Serialize)]
-struct DiffReport {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct DiffReport {
+    /// Version of the names and their meanings: 1.
     schema: u32,
+    /// Whether the files are the same, byte by byte.
     identical: bool,
     /// What the headers say differently.
     properties: Vec<Property>,
-    /// Absent when the boxes share nothing.
+    /// At random points of the box that both cover; absent when the boxes share nothing.
     shared_box: Option<Figures>,
+    /// Near the surface of the first.
     near_surface: Option<Figures>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Property {
+    /// Path in the report of `nearfield info --json`, with dots.
     name: String,
     a: Value,
     b: Value,
 }
 
-#[derive(Debug, Serialize)]
+/// Differences of the distances, mesh units.
+#[derive(Debug, Serialize, JsonSchema)]
 struct Figures {
+    /// How many points were compared.
     points: usize,
+    /// Root mean square.
     rms: f64,
+    /// 99 % quantile of the size.
     p99: f64,
+    /// Largest size.
     max: f64,
+    /// Mean angle between the gradients.
     gradient_angle_degrees: f64,
+    /// Points whose signs differ.
     signs: usize,
 }
 

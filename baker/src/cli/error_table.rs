@@ -1,7 +1,7 @@
 //! Measured errors, for eyes and for programs.
 
 use nearfield::{ErrorContract, ErrorStatistics};
-use nearfield_bake::verify::{ErrorDistribution, Measurement};
+use nearfield_bake::verify::{ErrorDistribution, Measurement, SeamBound};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -51,6 +51,25 @@ pub(super) struct MeasurementReport {
     seam_rms: f64,
     seam_gradient_max: f64,
     seam_gradient_rms: f64,
+    /// What no face between leaves exceeds, from what they hold: of trilinear and tricubic octrees.
+    seam_bound: Option<SeamBoundReport>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct SeamBoundReport {
+    faces: usize,
+    /// Faces between leaves of different sizes.
+    uneven_faces: usize,
+    value: f64,
+    /// The same, in distance quanta of the smaller leaf.
+    quanta: f64,
+    gradient: Option<f64>,
+}
+
+impl From<SeamBound> for SeamBoundReport {
+    fn from(SeamBound { faces, uneven_faces, value, quanta, gradient }: SeamBound) -> Self {
+        Self { faces, uneven_faces, value, quanta, gradient }
+    }
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -72,6 +91,7 @@ impl From<&Measurement> for MeasurementReport {
             seam_rms: seams.rms,
             seam_gradient_max: seams.gradient_max,
             seam_gradient_rms: seams.gradient_rms,
+            seam_bound: seams.bound.map(SeamBoundReport::from),
         }
     }
 }
@@ -132,5 +152,14 @@ pub(super) fn details(measurement: &Measurement, diagonal: f32) -> String {
         measurement.seams.gradient_rms,
         measurement.seams.gradient_max
     );
+    if let Some(bound) = measurement.seams.bound {
+        let gradient = bound.gradient.map(|gradient| format!(", the gradient by more than {gradient:.1e}"));
+        text += &format!(
+            "  seams: at no point of the {} faces between leaves does the value jump by more than {:.1e} of the diagonal{}\n",
+            bound.faces,
+            bound.value / f64::from(diagonal),
+            gradient.unwrap_or_default()
+        );
+    }
     text
 }

@@ -51,10 +51,10 @@ pub(super) fn open_field<'a>(bytes: &'a [u8], path: &Path) -> Result<Field<'a>, 
 }
 
 /// Bytes of a point in a file of points: three little-endian `f32`.
-pub(super) const POINT_BYTES: usize = 12;
+const POINT_BYTES: usize = 12;
 
 /// A point of a file of points.
-pub(super) fn point_of_bytes(bytes: &[u8; POINT_BYTES]) -> [f32; 3] {
+fn point_of_bytes(bytes: &[u8; POINT_BYTES]) -> [f32; 3] {
     let (coordinates, _) = bytes.as_chunks::<4>();
     std::array::from_fn(|axis| f32::from_le_bytes(coordinates[axis]))
 }
@@ -75,7 +75,7 @@ pub(super) fn read_points(path: &Path) -> Result<Vec<[f32; 3]>, Failure> {
 }
 
 /// The failure of a file of points that is cut off.
-pub(super) fn ends_within_a_point(path: &Path) -> Failure {
+fn ends_within_a_point(path: &Path) -> Failure {
     let path = path.display();
     Failure::Input(format!("{path} ends within a point: points are three little-endian f32, {POINT_BYTES} bytes each"))
 }

@@ -1,6 +1,8 @@
 //! `nearfield generate`: what packages of this program install beside it.
 
 use super::bake_report::BakeReport;
+use super::batch_report::BatchReport;
+use super::diff::DiffReport;
 use super::exit_code::Failure;
 use super::pareto_report::ParetoReport;
 use super::{CommandLine, files, print, to_json};
@@ -9,7 +11,7 @@ use clap_complete::Shell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Write man pages, shell completions, or the schema of reports
+/// Write man pages, shell completions, or the schemas of reports
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -38,6 +40,10 @@ enum What {
     ReportSchema,
     /// The JSON Schema of `bake --pareto`, on standard output
     ParetoSchema,
+    /// The JSON Schema of `batch --report`, on standard output
+    BatchSchema,
+    /// The JSON Schema of `diff --json`, on standard output
+    DiffSchema,
 }
 
 impl Generate {
@@ -51,6 +57,8 @@ impl Generate {
             }
             What::ReportSchema => print(&to_json(&schemars::schema_for!(BakeReport))),
             What::ParetoSchema => print(&to_json(&schemars::schema_for!(ParetoReport))),
+            What::BatchSchema => print(&to_json(&schemars::schema_for!(BatchReport))),
+            What::DiffSchema => print(&to_json(&schemars::schema_for!(DiffReport))),
         }
     }
 }

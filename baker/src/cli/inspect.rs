@@ -1,6 +1,6 @@
 //! `nearfield inspect`: what a mesh is like, before it is baked.
 
-use super::arguments::{SignArguments, Threads};
+use super::arguments::{SignArguments, Threads, positive};
 use super::bake_report::sign_name;
 use super::exit_code::Failure;
 use super::mesh_arguments::MeshArguments;
@@ -9,7 +9,7 @@ use clap::Args;
 use nearfield::layout::octree::MAX_DEPTH;
 use nearfield_bake::inspect::{Inspection, Thickness, inspect};
 use nearfield_bake::mesh::CheckedMesh;
-use nearfield_bake::settings::Settings;
+use nearfield_bake::settings::{Settings, Target};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -29,6 +29,10 @@ pub(super) struct Inspect {
     #[command(flatten)]
     sign: SignArguments,
 
+    /// Target of the field, a fraction of the diagonal, against which thin parts are measured
+    #[arg(long, value_name = "E", value_parser = positive, default_value_t = 5e-4)]
+    error: f64,
+
     /// Level of the smallest cells, against which thin parts are measured
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(i64::from(Settings::default().start_depth)..=i64::from(MAX_DEPTH)), default_value_t = Settings::default().max_depth)]
     max_depth: u8,
@@ -47,7 +51,8 @@ pub(super) struct Inspect {
 impl Inspect {
     pub(super) fn run(self) -> Result<(), Failure> {
         let options = self.reading.read_options()?;
-        let settings = Settings { sign: self.sign.choice()?, max_depth: self.max_depth, ..Settings::default() };
+        let error = Target::Relative(self.error);
+        let settings = Settings { error, sign: self.sign.choice()?, max_depth: self.max_depth, ..Settings::default() };
         let (mesh, found) = self.threads.run(|| {
             let mesh = files::read_mesh(&self.mesh, &options)?;
             let found = inspect(&mesh, &settings);
@@ -73,6 +78,8 @@ struct InspectReport {
     is_closed_and_oriented: bool,
     components: usize,
     cavities: usize,
+    /// Shells within shells that face the same way.
+    nested_shells: usize,
     welded_vertices: usize,
     degenerate_triangles: usize,
     duplicate_triangles: usize,
@@ -104,6 +111,16 @@ struct ThicknessReport {
     smallest_cell: f64,
     /// Share of the surface thinner than two of the smallest cells.
     too_thin: f64,
+    target: f64,
+    /// Share of the surface thinner than nine targets.
+    too_thin_for_target: f64,
+}
+
+impl ThicknessReport {
+    fn of(found: Thickness) -> Self {
+        let Thickness { p01, median, smallest_cell, too_thin, target, too_thin_for_target } = found;
+        Self { p01, median, smallest_cell, too_thin, target, too_thin_for_target }
+    }
 }
 
 impl InspectReport {
@@ -122,6 +139,7 @@ impl InspectReport {
             is_closed_and_oriented: topology.is_closed_and_oriented(),
             components: topology.components,
             cavities: found.cavities,
+            nested_shells: found.nested,
             welded_vertices: topology.welded_vertices,
             degenerate_triangles: topology.degenerate_triangles,
             duplicate_triangles: found.duplicates,
@@ -139,12 +157,7 @@ impl InspectReport {
                 doubtful: found.doubtful,
                 doubtful_places: found.doubtful_places.clone(),
             },
-            thickness: found.thickness.map(|Thickness { p01, median, smallest_cell, too_thin }| ThicknessReport {
-                p01,
-                median,
-                smallest_cell,
-                too_thin,
-            }),
+            thickness: found.thickness.map(ThicknessReport::of),
         }
     }
 
@@ -173,6 +186,11 @@ impl InspectReport {
                 format!("{} edges whose triangles disagree", self.inconsistent_edges),
             ),
             ("crossing", self.self_intersections, format!("{} pairs of triangles", self.self_intersections)),
+            (
+                "nested",
+                self.nested_shells,
+                format!("{} shells within shells that face the same way", self.nested_shells),
+            ),
             ("degenerate", self.degenerate_triangles, format!("{} triangles, dropped", self.degenerate_triangles)),
             ("duplicate", self.duplicate_triangles, format!("{} triangles, counted once", self.duplicate_triangles)),
             ("walls", self.wall_triangles, format!("{} triangles, of no bearing on the sign", self.wall_triangles)),
@@ -198,6 +216,8 @@ impl InspectReport {
                 "smallest cell",
                 format!("{:.6}; {share:.2} % of the surface is thinner than two", thickness.smallest_cell),
             );
+            let share = 100.0 * thickness.too_thin_for_target;
+            line("target", format!("{:.6}; {share:.2} % of the surface is thinner than nine", thickness.target));
         }
         text
     }

@@ -7,6 +7,7 @@ mod batch;
 mod batch_report;
 mod bench;
 mod camera_arguments;
+mod closest_point;
 mod diff;
 mod error_table;
 mod exit_code;
@@ -20,6 +21,8 @@ mod mesh_arguments;
 mod pareto_report;
 mod progress_bar;
 mod query;
+mod questions;
+mod raycast;
 mod render;
 mod slice;
 mod verify;
@@ -45,6 +48,8 @@ enum Command {
     Info(info::Info),
     Inspect(inspect::Inspect),
     Query(query::Query),
+    Raycast(raycast::Raycast),
+    ClosestPoint(closest_point::ClosestPoint),
     Verify(verify::Verify),
     Diff(diff::Diff),
     Slice(slice::SliceCommand),
@@ -64,6 +69,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Info(command) => command.run(),
         Command::Inspect(command) => command.run(),
         Command::Query(command) => command.run(),
+        Command::Raycast(command) => command.run(),
+        Command::ClosestPoint(command) => command.run(),
         Command::Verify(command) => command.run(),
         Command::Slice(command) => command.run(),
         Command::Bench(command) => command.run(),

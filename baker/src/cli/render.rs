@@ -1,13 +1,13 @@
 //! `nearfield render`: a view of a field's surface.
 
-use super::arguments::{Threads, method_of};
+use super::arguments::{Sign, Threads, method_of, not_negative};
 use super::camera_arguments::CameraArguments;
 use super::exit_code::Failure;
 use super::files;
+use super::mesh_arguments::{PartArguments, UpAxis};
 use super::progress_bar::TerminalProgress;
 use clap::{Args, ValueEnum};
 use nearfield_bake::distance::SignedDistance;
-use nearfield_bake::import::ReadOptions;
 use nearfield_bake::picture::{self, Image, Render, Shading, Surface};
 use std::path::{Path, PathBuf};
 
@@ -22,6 +22,7 @@ Examples:
   nearfield render spot.nfd -o normals.png --shading normals
   nearfield render spot.nfd -o grown.png --offset 0.05
   nearfield render spot.nfd -o compare.png --mesh spot.ply
+  nearfield render part.nfd -o compare.png --mesh part.stl --scale 0.001 --mesh-up y
   nearfield render spot.nfd -o turn.png --frames 36")]
 pub(super) struct RenderCommand {
     /// The field
@@ -61,6 +62,21 @@ pub(super) struct RenderCommand {
     /// Draw the exact surface of this mesh beside the field's, and the difference of the two views
     #[arg(long, value_name = "MESH")]
     mesh: Option<PathBuf>,
+
+    /// Where the sign of that mesh's distance comes from [default: as in the field]
+    #[arg(long, value_enum, value_name = "S", requires = "mesh")]
+    sign: Option<Sign>,
+
+    /// The thickness of a sheet, mesh units
+    #[arg(long, value_name = "T", value_parser = not_negative, default_value_t = 0.0, requires = "mesh")]
+    thickness: f64,
+
+    /// Turn the mesh so that this axis is up, as `bake --up` does
+    #[arg(long, value_enum, value_name = "AXIS", requires = "mesh")]
+    mesh_up: Option<UpAxis>,
+
+    #[command(flatten)]
+    parts: PartArguments,
 
     /// Views of a full turn, in numbered files: turn.png becomes turn-000.png and so on
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=999))]
@@ -132,8 +148,11 @@ impl RenderCommand {
 
     fn exact_distance(&self, method: nearfield::SignMethod) -> Result<Option<SignedDistance>, Failure> {
         let Some(path) = &self.mesh else { return Ok(None) };
-        let method = method_of(method, 0.0);
-        Ok(Some(SignedDistance::new(&files::read_mesh(path, &ReadOptions::default())?, method)))
+        let mesh = files::read_mesh(path, &self.parts.read_options(self.mesh_up)?)?;
+        Ok(Some(match self.sign {
+            None => SignedDistance::new(&mesh, method_of(method, self.thickness)),
+            Some(sign) => SignedDistance::choose(&mesh, sign.choice(self.thickness)).0,
+        }))
     }
 }
 

@@ -1,14 +1,15 @@
 //! `nearfield slice`: a picture of a plane through a field.
 
-use super::arguments::method_of;
+use super::arguments::{method_of, not_negative};
 use super::exit_code::Failure;
 use super::files;
 use super::mesh_arguments::MeshArguments;
 use clap::{Args, ValueEnum};
+use glam::DVec3;
 use nearfield::Field;
 use nearfield_bake::distance::SignedDistance;
 use nearfield_bake::field_function::FieldFunction;
-use nearfield_bake::picture::{self, Axis, Position, Slice};
+use nearfield_bake::picture::{self, Axis, Cut, Position, Slice};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -21,7 +22,9 @@ Examples:
   nearfield slice spot.nfd -o spot.png
   nearfield slice spot.nfd -o feet.png --axis y --at 20% --cells
   nearfield slice spot.nfd -o plane.png --axis z --at 0.35
-  nearfield slice teapot.nfd -o doubt.png --mesh teapot.obj")]
+  nearfield slice spot.nfd -o oblique.png --normal 1,2,0.5 --origin 0,0.3,0
+  nearfield slice teapot.nfd -o doubt.png --mesh teapot.obj
+  nearfield slice spot.nfd -o errors.png --mesh spot.ply --error-map")]
 pub(super) struct SliceCommand {
     /// The field
     field: PathBuf,
@@ -38,6 +41,14 @@ pub(super) struct SliceCommand {
     #[arg(long, value_name = "PLACE", value_parser = place, default_value = "50%", allow_hyphen_values = true)]
     at: Position,
 
+    /// Direction across an oblique plane, towards the eye; y is up in the picture, or z where it looks along y
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, conflicts_with_all = ["axis", "at"], allow_hyphen_values = true)]
+    normal: Option<DVec3>,
+
+    /// A point of the oblique plane, mesh units; by default the middle of the field's box
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, requires = "normal", allow_hyphen_values = true)]
+    origin: Option<DVec3>,
+
     /// Pixels along the longer side
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=8192), default_value_t = 768)]
     resolution: u32,
@@ -49,6 +60,14 @@ pub(super) struct SliceCommand {
     /// The mesh that the field was baked from: red is where its sign is a guess
     #[arg(long, value_name = "MESH")]
     mesh: Option<PathBuf>,
+
+    /// Draw the size of the error against the mesh instead of the distance, with a scale below it
+    #[arg(long, requires = "mesh")]
+    error_map: bool,
+
+    /// The thickness that a sheet was baked with, mesh units
+    #[arg(long, value_name = "T", value_parser = not_negative, default_value_t = 0.0)]
+    thickness: f64,
 
     #[command(flatten)]
     reading: MeshArguments,
@@ -71,28 +90,32 @@ impl SliceCommand {
         files::check_output(&self.output, &self.field)?;
 
         let truth = self.truth(&field)?;
-        let image = picture::slice(
-            &field,
-            &Slice {
-                axis: match self.axis {
-                    AxisName::X => Axis::X,
-                    AxisName::Y => Axis::Y,
-                    AxisName::Z => Axis::Z,
-                },
-                position: self.at,
-                resolution: self.resolution,
-                cells: self.cells,
-            },
-            truth.as_ref().map(|truth| truth as &dyn FieldFunction),
-        );
+        let truth = truth.as_ref().map(|truth| truth as &dyn FieldFunction);
+        let request = Slice { cut: self.cut(), resolution: self.resolution, cells: self.cells };
+        let image = match truth {
+            Some(truth) if self.error_map => picture::error_map(&field, &request, truth),
+            _ => picture::slice(&field, &request, truth),
+        };
         files::write_bytes(&self.output, &image.to_png())
+    }
+
+    fn cut(&self) -> Cut {
+        if let Some(normal) = self.normal {
+            return Cut::Oblique { origin: self.origin, normal };
+        }
+        let axis = match self.axis {
+            AxisName::X => Axis::X,
+            AxisName::Y => Axis::Y,
+            AxisName::Z => Axis::Z,
+        };
+        Cut::Across { axis, position: self.at }
     }
 
     fn truth(&self, field: &Field<'_>) -> Result<Option<SignedDistance>, Failure> {
         let Some(path) = &self.mesh else { return Ok(None) };
         let mesh = files::read_mesh(path, &self.reading.read_options()?)?;
         files::refuse_other_mesh(&self.field, field, path, &mesh)?;
-        Ok(Some(SignedDistance::new(&mesh, method_of(field.header().sign_method, 0.0))))
+        Ok(Some(SignedDistance::new(&mesh, method_of(field.header().sign_method, self.thickness))))
     }
 }
 
@@ -106,6 +129,18 @@ fn place(text: &str) -> Result<Position, String> {
     place.ok_or_else(|| "it must be a coordinate such as 0.25, or a percentage such as 50%".to_owned())
 }
 
+/// Three finite numbers with commas between them.
+fn point(text: &str) -> Result<DVec3, String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let point = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok()).map(DVec3::from_array);
+    point.filter(|point| point.is_finite()).ok_or_else(|| "it must be three numbers, such as 0,0.5,-1".to_owned())
+}
+
+fn direction(text: &str) -> Result<DVec3, String> {
+    let vector = point(text)?;
+    vector.try_normalize().ok_or_else(|| "it must have a length".to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,5 +152,15 @@ mod tests {
         for wrong in ["", "%", "nan", "inf%", "middle"] {
             assert!(place(wrong).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn points_are_three_numbers_and_directions_are_not_zero() {
+        assert_eq!(point("1, -2.5,3e2"), Ok(DVec3::new(1.0, -2.5, 300.0)));
+        assert_eq!(direction("0,-4,0"), Ok(DVec3::NEG_Y));
+        for wrong in ["", "1,2", "1,2,3,4", "1,2,nan", "a,b,c"] {
+            assert!(point(wrong).is_err(), "{wrong}");
+        }
+        assert!(direction("0,0,0").is_err());
     }
 }

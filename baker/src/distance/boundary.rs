@@ -8,9 +8,10 @@
 //! A loop of the rim that is far away, and not in the ray's way, counts as a dipole with the area vector of
 //! its lid: the cone and the lid bound the same loop, and the ray meets neither.
 
-use super::bvh::{LANES, minus, splat};
+use super::bvh::{LANES, dot, minus, splat};
 use super::local_mesh::LocalMesh;
 use super::solid_angle::{CoarseSolidAngles, SolidAngles};
+use crate::geometry::Aabb;
 use crate::mesh::DisjointSets;
 use crate::mesh::adjacency::{Side, VertexCorners};
 use glam::DVec3;
@@ -25,6 +26,7 @@ pub(super) struct Rim {
     /// In the direction of the surplus, as often as it is large.
     pub(super) edges: Vec<[u32; 2]>,
     loops: Vec<Loop>,
+    balls: Vec<Balls>,
 }
 
 /// Edges that are connected.
@@ -33,6 +35,8 @@ struct Loop {
     radius: f64,
     /// Area vector of the lid ÷ 4π.
     moment: DVec3,
+    /// Area of the lid whose triangles have a corner at the centre ÷ 4π.
+    lid: f64,
     packets: Vec<EdgePacket>,
 }
 
@@ -43,6 +47,19 @@ struct EdgePacket {
     /// Number of edges, in the first lanes.
     edges: Vec<[u32; 2]>,
 }
+
+/// Balls around eight edges, or the edges of eight packets. Unused ones are infinitely far away.
+struct Balls {
+    centre: [f32x8; 3],
+    radius: f32x8,
+    /// Length of the edges ÷ 4π.
+    length: f32x8,
+}
+
+/// Rims of more edges have balls around packets only: it takes eight times less to look at them.
+const MOST_APART: usize = 2048;
+/// Added to the radii of balls: more than single precision makes of a distance near the surface.
+const BALL_SLACK: f64 = 1e-5;
 
 impl Rim {
     pub(super) fn of(mesh: &LocalMesh) -> Self {
@@ -58,7 +75,45 @@ impl Rim {
         };
         // Appending keeps the order of the vertices, however the work was shared.
         let edges = corners.sum_over_vertices(&mesh.triangles, visit, |a: Vec<[u32; 2]>, b| [a, b].concat());
-        Self { loops: loops_of(mesh, &edges), edges }
+        let loops = loops_of(mesh, &edges);
+        let together = if edges.len() <= MOST_APART { 1 } else { LANES };
+        let groups = loops.iter().flat_map(|rim| &rim.packets).flat_map(|packet| packet.edges.chunks(together));
+        let balls = groups.collect::<Vec<_>>().chunks(LANES).map(|groups| Balls::around(mesh, groups)).collect();
+        Self { edges, loops, balls }
+    }
+
+    /// A radius around this point within which the winding number, but for its steps at the surface, changes by at most
+    /// `change`.
+    ///
+    /// The gradient is the field of Biot and Savart of the rim: at most its length ÷ 4πr² at a distance r. With D from
+    /// the point to the nearest ball and G the sum there, it is at most G ÷ (1 − t)² within tD.
+    pub(super) fn reach(&self, point: DVec3, change: f64) -> f64 {
+        let query = splat(point);
+        let (mut nearest, mut steepness) = (f32x8::splat(f32::INFINITY), f32x8::ZERO);
+        for Balls { centre, radius, length } in &self.balls {
+            let to_centre = minus(*centre, query);
+            let gap = (dot(to_centre, to_centre).sqrt() - *radius).fast_max(f32x8::ZERO);
+            nearest = nearest.fast_min(gap);
+            steepness = steepness + *length / (gap * gap).fast_max(f32x8::splat(f32::MIN_POSITIVE));
+        }
+        let nearest = f64::from(nearest.to_array().into_iter().fold(f32::INFINITY, f32::min));
+        if nearest == 0.0 {
+            return 0.0;
+        }
+        let steepness: f64 = steepness.to_array().into_iter().map(f64::from).sum();
+
+        // The lesser root of t D G = change (1 − t)².
+        let half = 1.0 + 0.5 * nearest * steepness / change;
+        nearest / (half + (half * half - 1.0).sqrt())
+    }
+
+    /// What the lids of all loops add up to, at most, as a share of all directions.
+    pub(super) fn lids_at_most(&self, point: DVec3) -> f64 {
+        let of = |rim: &Loop| {
+            let gap = (rim.centre.distance(point) - rim.radius).max(0.0);
+            rim.lid / (gap * gap)
+        };
+        self.loops.iter().map(of).sum()
     }
 
     /// How much work a point is, in edges: a loop is at least looked at.
@@ -71,7 +126,7 @@ impl Rim {
         let (mut near, mut near_coarse) = (SolidAngles::ZERO, CoarseSolidAngles::ZERO);
         let mut far = 0.0;
         let (query, apex) = (splat(point), splat(-direction));
-        for Loop { centre, radius, moment, packets } in &self.loops {
+        for Loop { centre, radius, moment, packets, .. } in &self.loops {
             let to_centre = *centre - point;
             let distance_squared = to_centre.length_squared();
             let along = to_centre.dot(direction);
@@ -109,12 +164,12 @@ fn loops_of(mesh: &LocalMesh, edges: &[[u32; 2]]) -> Vec<Loop> {
             let edges: Vec<[u32; 2]> = members.iter().map(|(_, edge)| *edge).collect();
             let ends = || edges.as_flattened().iter().map(|&vertex| position(vertex));
             let centre = ends().sum::<DVec3>() / (2 * edges.len()) as f64;
-            let lid: DVec3 =
-                edges.iter().map(|edge| edge.map(|end| position(end) - centre)).map(|[a, b]| 0.5 * a.cross(b)).sum();
+            let lid = || edges.iter().map(|edge| edge.map(|end| position(end) - centre)).map(|[a, b]| 0.5 * a.cross(b));
             Loop {
                 centre,
                 radius: ends().map(|end| end.distance(centre)).fold(0.0, f64::max),
-                moment: lid / (4.0 * PI),
+                moment: lid().sum::<DVec3>() / (4.0 * PI),
+                lid: lid().map(DVec3::length).sum::<f64>() / (4.0 * PI),
                 packets: edges.chunks(LANES).map(|chunk| EdgePacket::new(mesh, chunk)).collect(),
             }
         })
@@ -131,5 +186,25 @@ impl EdgePacket {
             }
         }
         packet
+    }
+}
+
+impl Balls {
+    /// Takes in at most eight groups of edges.
+    fn around(mesh: &LocalMesh, groups: &[&[[u32; 2]]]) -> Self {
+        let position = |vertex: u32| mesh.positions[vertex as usize];
+        let mut balls = Self { centre: [f32x8::splat(1e17); 3], radius: f32x8::ZERO, length: f32x8::ZERO };
+        for (lane, edges) in groups.iter().enumerate() {
+            let ends = || edges.as_flattened().iter().map(|&vertex| position(vertex));
+            let centre = Aabb::around(ends()).centre();
+            let radius = ends().map(|end| end.distance(centre)).fold(0.0, f64::max);
+            let length: f64 = edges.iter().map(|&[a, b]| position(a).distance(position(b))).sum();
+            for axis in 0..3 {
+                balls.centre[axis].as_mut_array()[lane] = centre[axis] as f32;
+            }
+            balls.radius.as_mut_array()[lane] = (radius + BALL_SLACK) as f32;
+            balls.length.as_mut_array()[lane] = (length / (4.0 * PI)) as f32;
+        }
+        balls
     }
 }

@@ -6,7 +6,7 @@ use super::self_intersection;
 use super::sign::Signs;
 use super::{SignChoice, SignMethod};
 use crate::geometry::area_vector;
-use crate::mesh::{CheckedMesh, Role};
+use crate::mesh::{CheckedMesh, Piece, Role};
 use crate::random::Draws;
 use glam::DVec3;
 
@@ -54,7 +54,7 @@ fn choose_automatically(mesh: &CheckedMesh, finder: &Finder) -> SignDecision {
         }
         let rays = RayTree::new(finder, 0);
         return match self_intersection::count(finder, &rays) {
-            0 if oriented.components > 1 && has_shells_in_shells(mesh, finder, &rays) => {
+            0 if oriented.components > 1 && count_nested_shells(mesh, finder, &rays) > 0 => {
                 decision(SignMethod::Winding, "for there are shells within shells that face the same way", Some(0))
             }
             0 => decision(SignMethod::Pseudonormal, "for the surface is closed and crosses itself nowhere", Some(0)),
@@ -71,16 +71,17 @@ fn choose_automatically(mesh: &CheckedMesh, finder: &Finder) -> SignDecision {
     decision(SignMethod::Winding, reason, None)
 }
 
-/// Whether the outer side of some piece is inside another. The pieces do not cross.
-fn has_shells_in_shells(mesh: &CheckedMesh, finder: &Finder, rays: &RayTree) -> bool {
+/// How many closed pieces have their outer side inside others.
+pub(super) fn count_nested_shells(mesh: &CheckedMesh, finder: &Finder, rays: &RayTree) -> usize {
     /// Above the surface by so much, in the frame of the search: more than rounding, less than any gap that matters.
     const ABOVE: f64 = 1e-9;
-    mesh.pieces().into_iter().any(|piece| {
+    let is_nested = |piece: &Piece| {
         let corners = mesh.seen_corners(piece.first).map(|corner| finder.mesh.frame.to_local(corner));
         let centre = corners.iter().sum::<DVec3>() / 3.0;
         let above = centre + ABOVE * area_vector(corners).normalize_or_zero();
         rays.crossings(finder, above).signed != 0
-    })
+    };
+    mesh.pieces().iter().filter(|piece| piece.is_closed && is_nested(piece)).count()
 }
 
 /// At how many of some points in the mesh's box the sign of a method is a guess.

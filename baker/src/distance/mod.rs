@@ -32,7 +32,7 @@ use neighbours::nearest_of_each;
 use pseudonormal::Pseudonormals;
 use ray_tree::RayTree;
 use rayon::prelude::*;
-use sign::Signs;
+use sign::{Memory, Signs};
 
 /// Points that one task samples in turn. It bears on speed alone.
 const CHUNK: usize = 1024;
@@ -127,14 +127,19 @@ impl SignedDistance {
         self_intersection::count(&self.finder, &RayTree::new(&self.finder, 0))
     }
 
+    /// How many closed pieces have their outer side inside others, where no open piece confuses it: shells within shells
+    /// that face the same way.
+    pub fn count_nested_shells(&self, mesh: &CheckedMesh) -> usize {
+        choose::count_nested_shells(mesh, &self.finder, &RayTree::new(&self.finder, 0))
+    }
+
     /// Samples points, best each near the one before.
     fn sample_in_turn(&self, points: &[DVec3], samples: &mut [Sample]) {
         let local = |&point| Some(self.finder.mesh.frame.to_local(point)).filter(|p| p.is_finite());
         let searched: Vec<DVec3> = points.iter().map(|point| local(point).unwrap_or_default()).collect();
-        let mut last = None;
+        let mut memory = Memory::default();
         nearest_of_each(&self.finder, &searched, |k, nearest| {
-            let is_inside = self.is_inside(searched[k], nearest, last);
-            last = Some(Judged { point: searched[k], distance: nearest.closest.distance_squared.sqrt(), is_inside });
+            let is_inside = self.signs.is_inside(&self.finder, &self.pseudonormals, searched[k], nearest, &mut memory);
             samples[k] = self.signed(searched[k], nearest, is_inside);
         });
         for (sample, point) in samples.iter_mut().zip(points) {
@@ -156,28 +161,6 @@ impl SignedDistance {
         };
         Sample { distance: sign * self.finder.mesh.frame.length_from_local(distance) - self.half_thickness, gradient }
     }
-
-    /// Whether a point is inside. The one that was judged before it may save the work: no surface is
-    /// between two points of which one is farther from all surfaces than from the other.
-    fn is_inside(&self, local: DVec3, nearest: Nearest, last: Option<Judged>) -> bool {
-        /// Distances are right to rounding.
-        const SURELY: f64 = 0.999_999;
-        let reach = |last: &Judged| SURELY * last.distance.max(nearest.closest.distance_squared.sqrt());
-        match last {
-            Some(last) if self.signs.changes_on_the_surface_alone() && local.distance(last.point) < reach(&last) => {
-                last.is_inside
-            }
-            _ => self.signs.is_inside(&self.finder, &self.pseudonormals, local, nearest),
-        }
-    }
-}
-
-/// A point whose sign is known.
-#[derive(Clone, Copy)]
-struct Judged {
-    point: DVec3,
-    distance: f64,
-    is_inside: bool,
 }
 
 fn find_in(mesh: &CheckedMesh) -> Finder {

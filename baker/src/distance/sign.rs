@@ -33,30 +33,121 @@ pub(super) enum Signs {
     Sheet,
 }
 
+/// Winding numbers that decide alike are between two of these.
+const QUARTERS: [f64; 3] = [DOUBTFUL.start, 0.5, DOUBTFUL.end];
+
 /// A surface with a rim.
 pub(super) struct OpenSurface {
     winding: Winding,
+    rim: Rim,
     /// Triangles whose piece goes on smoothly across its holes: pseudonormals decide what the winding
     /// number does not.
     continued: Vec<bool>,
 }
 
 enum Winding {
-    Exact { rays: RayTree, rim: Rim },
+    /// Crossings of a ray, and what the rim adds to them.
+    Exact(RayTree),
     Dipoles(WindingTree),
 }
 
-impl Winding {
-    fn at(&self, finder: &Finder, point: DVec3) -> f64 {
+impl OpenSurface {
+    /// The size of the winding number.
+    fn number(&self, finder: &Finder, point: DVec3) -> f64 {
         if !is_within_reach(point) {
             return 0.0;
         }
-        match self {
-            Self::Exact { rays, rim } => {
-                f64::from(rays.crossings(finder, point).signed) + rim.turns(&finder.mesh, point, rays.direction())
+        let number = match &self.winding {
+            Winding::Exact(rays) => {
+                f64::from(rays.crossings(finder, point).signed) + self.rim.turns(&finder.mesh, point, rays.direction())
             }
-            Self::Dipoles(tree) => tree.at(finder, point),
+            Winding::Dipoles(tree) => tree.at(finder, point),
+        };
+        number.abs()
+    }
+
+    /// How much a number may be off.
+    fn number_error(&self) -> f64 {
+        match self.winding {
+            Winding::Exact(_) => 0.004,
+            Winding::Dipoles(_) => 0.03,
         }
+    }
+
+    /// A ball around a point with this number in which numbers are in the same quarter, but for those across the
+    /// surface.
+    fn reach(&self, point: DVec3, number: f64) -> f64 {
+        let clearance = QUARTERS.iter().map(|bound| (number - bound).abs()).fold(f64::INFINITY, f64::min);
+        let clearance = clearance - 2.0 * self.number_error();
+        if clearance > 0.0 && is_within_reach(point) { self.rim.reach(point, clearance) } else { 0.0 }
+    }
+}
+
+/// Where a winding number is among [`QUARTERS`], by its size: 0 is outside, 3 inside, what is between is doubtful.
+type Quarter = usize;
+const OUTSIDE: Quarter = 0;
+const INSIDE: Quarter = 3;
+
+fn quarter_of(number: f64) -> Quarter {
+    match number {
+        number if DOUBTFUL.contains(&number) => {
+            if number > 0.5 {
+                2
+            } else {
+                1
+            }
+        }
+        number => {
+            if number > 0.5 {
+                INSIDE
+            } else {
+                OUTSIDE
+            }
+        }
+    }
+}
+
+/// A point whose winding number, or what stands for it, is known.
+#[derive(Clone, Copy)]
+struct Judged {
+    point: DVec3,
+    distance: f64,
+    quarter: Quarter,
+    /// A ball in which the quarter changes on the surface alone.
+    centre: DVec3,
+    radius: f64,
+}
+
+impl Judged {
+    /// Whether another point, at this distance from the surface, must be in the same quarter: no surface is between two
+    /// points of which one is farther from all surfaces than from the other.
+    fn holds_at(&self, point: DVec3, distance: f64) -> bool {
+        /// Distances are right to rounding.
+        const SURELY: f64 = 0.999_999;
+        let apart = self.point.distance_squared(point);
+        let reach = SURELY * self.distance.max(distance);
+        apart < reach * reach && self.centre.distance_squared(point) < self.radius * self.radius
+    }
+}
+
+/// The last point that was judged in each quarter. It saves work, and never bears on an answer.
+#[derive(Default)]
+pub(super) struct Memory([Option<Judged>; QUARTERS.len() + 1]);
+
+impl Memory {
+    /// The quarter of a point at this distance; if it does not follow, `judge` finds it and the radius of a ball in
+    /// which it changes on the surface alone.
+    fn quarter(&mut self, point: DVec3, distance: f64, judge: impl FnOnce() -> (Quarter, f64)) -> Quarter {
+        let known = self.0.iter().flatten().find(|known| known.holds_at(point, distance));
+        let judged = match known {
+            Some(known) => Judged { point, distance, ..*known },
+            None => {
+                let (quarter, radius) = judge();
+                Judged { point, distance, quarter, centre: point, radius }
+            }
+        };
+        self.0[judged.quarter] = Some(judged);
+        judged.quarter
     }
 }
 
@@ -73,11 +164,11 @@ impl Signs {
                 }
                 let continued = continued_triangles(&finder.mesh, &rim);
                 let winding = if rim.work() <= MOST_WORK {
-                    Winding::Exact { rays: RayTree::new(finder, 0), rim }
+                    Winding::Exact(RayTree::new(finder, 0))
                 } else {
                     Winding::Dipoles(WindingTree::new(finder))
                 };
-                Self::Open(OpenSurface { winding, continued })
+                Self::Open(OpenSurface { winding, rim, continued })
             }
         }
     }
@@ -87,20 +178,34 @@ impl Signs {
         &self,
         finder: &Finder,
         pseudonormals: &Pseudonormals,
-        local: DVec3,
+        point: DVec3,
         nearest: Nearest,
+        memory: &mut Memory,
     ) -> bool {
+        let distance = nearest.closest.distance_squared.sqrt();
         match self {
             Self::Sheet => false,
-            Self::Closed(rays) => rays.crossings(finder, local).signed != 0,
-            Self::Rays(voters) => votes(finder, voters, local) > VOTERS / 2,
-            Self::Pseudonormal => behind_pseudonormal(finder, pseudonormals, local, nearest),
-            Self::Open(OpenSurface { winding, continued }) => {
-                let number = winding.at(finder, local).abs();
-                if DOUBTFUL.contains(&number) && continued[nearest.triangle as usize] {
-                    behind_pseudonormal(finder, pseudonormals, local, nearest)
-                } else {
-                    number > 0.5
+            Self::Pseudonormal => behind_pseudonormal(finder, pseudonormals, point, nearest),
+            Self::Rays(voters) => votes(finder, voters, point) > VOTERS / 2,
+            Self::Closed(rays) => {
+                let judge = || {
+                    let is_inside = rays.crossings(finder, point).signed != 0;
+                    (if is_inside { INSIDE } else { OUTSIDE }, f64::INFINITY)
+                };
+                memory.quarter(point, distance, judge) == INSIDE
+            }
+            Self::Open(surface) => {
+                let judge = || {
+                    let number = surface.number(finder, point);
+                    (quarter_of(number), surface.reach(point, number))
+                };
+                match memory.quarter(point, distance, judge) {
+                    OUTSIDE => false,
+                    INSIDE => true,
+                    _ if surface.continued[nearest.triangle as usize] => {
+                        behind_pseudonormal(finder, pseudonormals, point, nearest)
+                    }
+                    quarter => quarter > 1,
                 }
             }
         }
@@ -110,17 +215,15 @@ impl Signs {
     pub(super) fn is_doubtful(&self, finder: &Finder, local: DVec3) -> bool {
         match self {
             Self::Pseudonormal | Self::Closed(_) | Self::Sheet => false,
-            Self::Open(OpenSurface { winding, .. }) => DOUBTFUL.contains(&winding.at(finder, local).abs()),
+            Self::Open(surface) => {
+                let is_sure = surface.rim.lids_at_most(local) < DOUBTFUL.start - surface.number_error();
+                !is_sure && DOUBTFUL.contains(&surface.number(finder, local))
+            }
             Self::Rays(voters) => {
                 let inside = votes(finder, voters, local);
                 inside.min(VOTERS - inside) >= DISSENT
             }
         }
-    }
-
-    /// Whether the sign changes nowhere but on the surface: within its distance of a point all signs are alike.
-    pub(super) fn changes_on_the_surface_alone(&self) -> bool {
-        matches!(self, Self::Closed(_))
     }
 }
 

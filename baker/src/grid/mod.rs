@@ -1,6 +1,8 @@
 //! A field function to a uniform grid of polynomials (Bán and Valasek 2020; Valasek and Bán 2022).
 
+mod basis;
 mod domain;
+mod fit;
 mod slope;
 
 pub use domain::Domain;
@@ -10,7 +12,7 @@ use crate::geometry::Aabb;
 use crate::progress::Progress;
 use crate::quantize::grid::{Stored, round};
 use crate::sampling;
-use crate::settings::{GridSettings, Reconstruction, Settings};
+use crate::settings::{GridSettings, Precision, Reconstruction, Sampling, Settings};
 
 /// Samples that are settled and rounded: all that the file will say of the field.
 pub struct Grid {
@@ -38,8 +40,12 @@ impl Grid {
         progress: &dyn Progress,
     ) -> Self {
         let domain = Domain::around(bounds, settings.margin, grid.resolution);
-        let (mut coefficients, samples) =
+        let (mut coefficients, mut samples) =
             sampling::polynomials(function, &domain.points(), grid.order, grid.sampling, domain.spacing);
+        if grid.sampling == Sampling::Fitted {
+            let unit_gradients = settings.precision == Precision::Packed32;
+            samples += fit::fit(function, &domain, grid, unit_gradients, &mut coefficients);
+        }
         progress.advance(samples as u64);
 
         let stored = round(&mut coefficients, &domain, grid, settings.precision);

@@ -4,6 +4,7 @@ mod format;
 mod gltf;
 mod obj;
 mod off;
+mod off_binary;
 mod options;
 mod ply;
 mod problem;

@@ -1,6 +1,7 @@
-//! Object File Format, ASCII: `OFF` with any of the prefixes that add colours, normals or texture
-//! coordinates to three-dimensional vertices.
+//! Object File Format: `OFF` with any of the prefixes that add colours, normals or texture
+//! coordinates to three-dimensional vertices. ASCII here, binary in [`off_binary`].
 
+use super::off_binary;
 use super::{Problem, TriangleSoup, push_fan};
 use glam::DVec3;
 use std::str::FromStr;
@@ -20,7 +21,10 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, Problem> {
         return Err(Problem::Unsupported { feature: "has vertices of more dimensions".into(), remedy });
     }
     if rest.trim_ascii().starts_with(b"BINARY") {
-        return Err(Problem::Unsupported { feature: "is a binary OFF".into(), remedy });
+        let start = bytes.iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |end| end + 1);
+        let words = [(&b"N"[..], 3), (b"C", 4), (b"ST", 2)]
+            .map(|(prefix, words)| if keyword.windows(prefix.len()).any(|part| part == prefix) { words } else { 0 });
+        return off_binary::parse(&bytes[start..], 3 + words.iter().sum::<usize>());
     }
 
     // The counts: on the first line or the second; the count of edges is never right.

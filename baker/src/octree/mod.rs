@@ -5,6 +5,7 @@ pub mod domain;
 pub mod interpolant;
 pub mod lattice;
 pub mod refine;
+pub mod termination;
 pub mod tree;
 
 use crate::field_function::FieldFunction;
@@ -17,6 +18,7 @@ use domain::Domain;
 use lattice::VertexId;
 use rayon::prelude::*;
 use refine::{Refined, refine};
+use termination::Criterion;
 use tree::{Node, Tree};
 
 /// A refined tree whose corners are settled and rounded: all that the file will say of the field.
@@ -46,7 +48,8 @@ impl Octree {
     ) -> Self {
         let domain = Domain::around(bounds, settings);
         let rounding = Rounding::new(settings, domain.root_edge);
-        let Refined { tree, lattice } = refine(function, domain, settings, rounding, target, progress);
+        let criterion = Criterion::new(settings, target, bounds.diagonal());
+        let Refined { tree, lattice } = refine(function, domain, settings, rounding, criterion, progress);
 
         // Refinement settled each corner by the tree of its time; the finished tree has the last word.
         let mut corners = Corners::new(settings, rounding);

@@ -3,6 +3,7 @@
 use super::corners::Corners;
 use super::domain::Domain;
 use super::lattice::{Lattice, VertexId};
+use super::termination::{Criterion, PointError};
 use super::tree::{Node, NodeId, Tree, root_origins};
 use crate::field_function::FieldFunction;
 use crate::progress::Progress;
@@ -18,16 +19,16 @@ pub struct Refined<'a> {
     pub lattice: Lattice<'a>,
 }
 
-/// Splits cells until each leaf's estimated error meets the target, mesh units, or the depth ends.
+/// Splits cells until each leaf is good enough by its estimated error, or the depth ends.
 pub fn refine<'a>(
     function: &'a dyn FieldFunction,
     domain: Domain,
     settings: &Settings,
     rounding: Rounding,
-    target: f64,
+    criterion: Criterion,
     progress: &dyn Progress,
 ) -> Refined<'a> {
-    let mut refinement = Refinement::start(function, domain, settings, rounding, target, progress);
+    let mut refinement = Refinement::start(function, domain, settings, rounding, criterion, progress);
     let mut undecided: Vec<NodeId> = refinement.tree.roots().collect();
     for level in 0..domain.depth {
         let failing = refinement.failing(&undecided);
@@ -43,7 +44,7 @@ struct Refinement<'a, 'p> {
     tree: Tree,
     lattice: Lattice<'a>,
     corners: Corners,
-    target: f64,
+    criterion: Criterion,
     progress: &'p dyn Progress,
 }
 
@@ -53,7 +54,7 @@ impl<'a, 'p> Refinement<'a, 'p> {
         domain: Domain,
         settings: &Settings,
         rounding: Rounding,
-        target: f64,
+        criterion: Criterion,
         progress: &'p dyn Progress,
     ) -> Self {
         let mut lattice = Lattice::new(function, domain, rounding);
@@ -67,13 +68,13 @@ impl<'a, 'p> Refinement<'a, 'p> {
         roots.sort_unstable();
         roots.dedup();
         corners.settle(&tree, &lattice, &roots, 0);
-        Self { tree, lattice, corners, target, progress }
+        Self { tree, lattice, corners, criterion, progress }
     }
 
-    /// The nodes whose error exceeds the target, in the same order.
+    /// The nodes that are not good enough, in the same order.
     fn failing(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
         self.evaluate_lattices(nodes);
-        nodes.par_iter().copied().filter(|&id| self.squared_error(id) > self.target * self.target).collect()
+        nodes.par_iter().copied().filter(|&id| !self.criterion.is_met(&self.errors(id))).collect()
     }
 
     /// Samples the 3 x 3 x 3 lattices of nodes: what the error estimate needs, and the children's corners.
@@ -83,19 +84,14 @@ impl<'a, 'p> Refinement<'a, 'p> {
         self.lattice.evaluate(vertices, self.progress);
     }
 
-    /// The mean square error over a node by the trapezoid rule on its 3 x 3 x 3 lattice (section 5).
-    fn squared_error(&self, id: NodeId) -> f64 {
-        const WEIGHT: [f64; 3] = [0.25, 0.5, 0.25];
+    /// The errors of a node on its 3 x 3 x 3 lattice.
+    fn errors(&self, id: NodeId) -> [PointError; 27] {
         let values = self.corners.patch(&self.tree, self.tree.node(id)).lattice_values();
-        lattice_vertices(&self.tree, id)
-            .into_iter()
-            .zip(values)
-            .enumerate()
-            .map(|(i, (vertex, value))| {
-                let error = value - self.lattice.sample(self.lattice.id(vertex)).distance;
-                WEIGHT[i % 3] * WEIGHT[i / 3 % 3] * WEIGHT[i / 9] * error * error
-            })
-            .sum()
+        let vertices = lattice_vertices(&self.tree, id);
+        std::array::from_fn(|i| {
+            let distance = self.lattice.sample(self.lattice.id(vertices[i])).distance;
+            PointError { error: values[i] - distance, distance }
+        })
     }
 
     /// Splits leaves whose lattices are sampled, in order, and names the children.
@@ -121,10 +117,8 @@ impl<'a, 'p> Refinement<'a, 'p> {
         hanging.dedup();
 
         loop {
-            let in_the_way: Vec<(VertexId, NodeId)> = hanging
-                .par_iter()
-                .filter_map(|&id| Some((id, self.corners.leaf_in_the_way(&self.tree, &self.lattice, id, self.target)?)))
-                .collect();
+            let in_the_way: Vec<(VertexId, NodeId)> =
+                hanging.par_iter().filter_map(|&id| Some((id, self.leaf_in_the_way(id)?))).collect();
             let mut leaves: Vec<NodeId> = in_the_way.iter().map(|&(_, leaf)| leaf).collect();
             leaves.par_sort_unstable();
             leaves.dedup();
@@ -136,6 +130,12 @@ impl<'a, 'p> Refinement<'a, 'p> {
             self.split(&leaves);
             hanging = in_the_way.into_iter().map(|(id, _)| id).collect();
         }
+    }
+
+    /// The leaf on which a vertex hangs, where that misses the sample by more than may be.
+    fn leaf_in_the_way(&self, id: VertexId) -> Option<NodeId> {
+        let tolerance = self.criterion.tolerance(self.lattice.sample(id).distance);
+        self.corners.leaf_in_the_way(&self.tree, &self.lattice, id, tolerance)
     }
 
     /// Settles the corners that freshly split nodes have given their children, coarse levels first,

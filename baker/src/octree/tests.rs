@@ -2,7 +2,7 @@ use super::*;
 use crate::corner::Corner;
 use crate::field_function::Sample;
 use crate::progress::Silent;
-use crate::settings::{Precision, Target};
+use crate::settings::{NEAR, Precision, Target, Termination};
 use glam::{DVec3, UVec3};
 use std::collections::HashSet;
 use std::sync::Mutex;
@@ -140,6 +140,53 @@ fn the_measured_error_of_a_leaf_is_near_its_target() {
             assert!(rmse < 2.0 * TARGET, "{interpolant:?}: error {rmse} in a leaf of level {}", leaf.level);
         }
     }
+}
+
+/// Leaves by rule, without continuity, and whether each of those that could still have been split is good
+/// enough by the rule's own definition.
+fn leaves_under(termination: Termination) -> usize {
+    let settings = Settings { termination, ..settings(Interpolant::Tricubic, Continuity::None) };
+    let octree = build(&settings);
+    let (tree, function) = (&octree.tree, Spheres::default());
+    let leaves: Vec<&Node> = tree.nodes().iter().filter(|node| node.is_leaf()).collect();
+    for leaf in leaves.iter().filter(|leaf| leaf.level < tree.domain.depth) {
+        let patch = octree.corners.patch(tree, leaf);
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for i in 0..27 {
+            let steps = DVec3::new((i % 3) as f64, (i / 3 % 3) as f64, (i / 9) as f64);
+            let distance = function.sample(tree.domain.point(leaf.origin) + 0.5 * steps * tree.edge(leaf)).distance;
+            let error = (patch.value(0.5 * steps) - distance).abs();
+            // Midpoints count twice by the trapezoid rule, four times by Simpson's.
+            let midpoints = steps.to_array().into_iter().filter(|&step| step == 1.0).count() as i32;
+            let (weight, share) = match termination {
+                Termination::Trapezoid => (2f64.powi(midpoints), error / TARGET),
+                Termination::Simpson => (4f64.powi(midpoints), error / TARGET),
+                Termination::ByDistance => {
+                    (2f64.powi(midpoints), error / TARGET / (distance.abs() / (NEAR * BOUNDS.diagonal())).max(1.0))
+                }
+                Termination::MaxError => {
+                    assert!(error <= TARGET * (1.0 + 1e-9), "an error of {error} in a leaf of level {}", leaf.level);
+                    (0.0, 0.0)
+                }
+            };
+            sum += weight * share * share;
+            weights += weight;
+        }
+        let mean = if weights > 0.0 { sum / weights } else { 0.0 };
+        assert!(mean <= 1.0 + 1e-9, "{termination:?}: {mean} in a leaf of level {}", leaf.level);
+    }
+    leaves.len()
+}
+
+#[test]
+fn every_leaf_is_good_enough_by_the_rule_that_was_asked_for() {
+    let [trapezoid, simpson, by_distance, max_error] =
+        [Termination::Trapezoid, Termination::Simpson, Termination::ByDistance, Termination::MaxError]
+            .map(leaves_under);
+    // Simpson's rule weighs the midpoints more, where interpolants err; the greatest error is above any mean.
+    assert!(by_distance < trapezoid, "{by_distance} {trapezoid}");
+    assert!(trapezoid < simpson, "{trapezoid} {simpson}");
+    assert!(simpson < max_error, "{simpson} {max_error}");
 }
 
 #[test]

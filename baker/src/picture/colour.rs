@@ -18,6 +18,17 @@ const SHADES: f64 = 128.0;
 const INSIDE: [Rgb; 3] = [[222, 238, 250], [88, 158, 214], [10, 54, 112]];
 const OUTSIDE: [Rgb; 3] = [[255, 246, 228], [246, 178, 98], [150, 50, 8]];
 
+/// From nothing to the greatest error: darker is worse, in print too.
+const ERROR: [Rgb; 5] = [[255, 255, 255], [253, 212, 118], [214, 84, 72], [96, 22, 112], [14, 6, 40]];
+
+/// Colour of an error, a share of the greatest one.
+pub(super) fn of_error(share: f64) -> Rgb {
+    let stops = (ERROR.len() - 1) as f64;
+    let share = share.clamp(0.0, 1.0) * stops;
+    let below = share.floor().min(stops - 1.0);
+    mix(ERROR[below as usize], ERROR[below as usize + 1], share - below)
+}
+
 /// Colour of a signed distance, on a scale whose deepest colours stand for `range`.
 ///
 /// The square root spreads the colours near the surface, where distances matter.
@@ -40,6 +51,14 @@ pub(super) fn mix(under: Rgb, over: Rgb, share: f64) -> Rgb {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_larger_error_is_darker() {
+        let light = |share: f64| of_error(share).map(u32::from).iter().sum::<u32>();
+        let lights: Vec<u32> = (0..=20).map(|step| light(f64::from(step) / 20.0)).collect();
+        assert!(lights.windows(2).all(|pair| pair[0] > pair[1]), "{lights:?}");
+        assert_eq!((of_error(0.0), of_error(1.0), of_error(9.0)), (ERROR[0], ERROR[4], ERROR[4]));
+    }
 
     #[test]
     fn inside_is_blue_outside_is_warm_and_the_ends_are_the_ends() {

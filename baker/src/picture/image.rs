@@ -29,6 +29,12 @@ impl Image {
         self.height
     }
 
+    /// Colour of a pixel, from the top left.
+    #[cfg(test)]
+    pub(super) fn pixel(&self, x: u32, y: u32) -> Rgb {
+        self.pixels[(y * self.width + x) as usize]
+    }
+
     /// Pictures of one height side by side.
     ///
     /// # Panics
@@ -42,6 +48,13 @@ impl Image {
         };
         let pixels = (0..height).flat_map(|y| images.iter().flat_map(move |image| row(image, y))).collect();
         Self::new(images.iter().map(|image| image.width).sum(), pixels)
+    }
+
+    /// This picture with another of its width below it.
+    pub(super) fn above(mut self, other: &Self) -> Self {
+        assert_eq!(self.width, other.width, "one width");
+        self.pixels.extend_from_slice(&other.pixels);
+        Self::new(self.width, self.pixels)
     }
 
     /// Where two pictures of one size differ: white where they agree, darker by the difference of each channel.

@@ -2,38 +2,18 @@
 
 use super::colour;
 use super::image::{Image, Rgb};
+use super::plane::{Cut, Plane};
+use super::scale_bar;
 use crate::field_function::FieldFunction;
 use glam::DVec3;
 use nearfield::{Field, Leaf};
 use rayon::prelude::*;
 
-/// Axis that a slice is perpendicular to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
-    /// The picture shows z to the right and y up.
-    X,
-    /// The picture shows x to the right and z up.
-    Y,
-    /// The picture shows x to the right and y up.
-    Z,
-}
-
-/// Where on its axis a slice lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Position {
-    /// From 0, the low side of the field's box, to 1, the high side.
-    Fraction(f64),
-    /// Mesh units, mesh frame.
-    Coordinate(f64),
-}
-
 /// What to draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slice {
-    /// Axis perpendicular to the picture.
-    pub axis: Axis,
-    /// Place of the plane on that axis.
-    pub position: Position,
+    /// The plane.
+    pub cut: Cut,
     /// Pixels along the longer side of the picture, at least one.
     pub resolution: u32,
     /// Draw the borders of the leaves.
@@ -46,99 +26,86 @@ const ISOLINES: f64 = 20.0;
 /// Draws a slice: colours by distance, grey isolines at round distances, the surface black. Given the truth, red
 /// is where its sign is a guess.
 pub fn slice(field: &Field<'_>, request: &Slice, truth: Option<&dyn FieldFunction>) -> Image {
-    let plane = Plane::through(field, request);
-    let rows: Vec<Vec<[f32; 3]>> = (0..plane.height).map(|row| plane.row(row)).collect();
-
-    // Distances.
-    let distances: Vec<f32> = rows
-        .par_iter()
-        .flat_map_iter(|points| {
-            let mut distances = vec![0.0; points.len()];
-            field.distances(points, &mut distances);
-            distances
-        })
-        .collect();
-    let raster = Raster { width: plane.width, distances };
-
-    // Colours and lines.
+    let section = Section::of(field, request);
+    let raster = &section.raster;
     let range = raster.distances.iter().fold(0.0, |range: f32, distance| range.max(distance.abs()));
     let range = f64::from(range.max(f32::MIN_POSITIVE));
     let spacing = round_number(range / ISOLINES);
-    let mut pixels: Vec<Rgb> = (0..raster.distances.len()).map(|index| raster.shade(index, range, spacing)).collect();
+    let pixels = (0..raster.distances.len()).map(|index| raster.shade(index, range, spacing)).collect();
+    section.finish(field, request, truth, pixels)
+}
 
-    // Borders of the leaves or cells.
-    if request.cells {
-        let cells: Vec<Cell> = rows.par_iter().flatten_iter().map(|&point| cell_of(field, point)).collect();
-        for (index, pixel) in pixels.iter_mut().enumerate() {
-            let (right, below) = raster.neighbours(index);
-            if cells[index] != cells[right] || cells[index] != cells[below] {
-                *pixel = colour::mix(*pixel, colour::CELL, 0.45);
+/// Draws the size of the error of a slice, white where there is none, and below it what the colours mean, mesh units.
+/// The surface is black, and red is where the sign of the truth is a guess.
+pub fn error_map(field: &Field<'_>, request: &Slice, truth: &dyn FieldFunction) -> Image {
+    let section = Section::of(field, request);
+    let raster = &section.raster;
+    let points: Vec<DVec3> =
+        section.rows.iter().flatten().map(|point| DVec3::from_array(point.map(f64::from))).collect();
+    let exact = truth.sample_all(&points);
+    let errors: Vec<f64> =
+        raster.distances.iter().zip(exact).map(|(&found, exact)| (f64::from(found) - exact.distance).abs()).collect();
+
+    let greatest = round_number(errors.iter().copied().fold(f64::MIN_POSITIVE, f64::max));
+    let range = raster.distances.iter().fold(0.0, |range: f32, distance| range.max(distance.abs()));
+    let shade = |(index, error): (usize, &f64)| {
+        let coverage = raster.coverage(index, f64::from(raster.distances[index]), 0.5, range.into());
+        colour::mix(colour::of_error(error / greatest), colour::SURFACE, coverage)
+    };
+    let pixels = errors.iter().enumerate().map(shade).collect();
+    scale_bar::below(section.finish(field, request, Some(truth), pixels), greatest, colour::of_error)
+}
+
+/// The points of a slice, row by row, and the field's distances there.
+struct Section {
+    rows: Vec<Vec<[f32; 3]>>,
+    raster: Raster,
+}
+
+impl Section {
+    fn of(field: &Field<'_>, request: &Slice) -> Self {
+        let plane = Plane::through(field, &request.cut, request.resolution);
+        let rows: Vec<Vec<[f32; 3]>> = (0..plane.height).map(|row| plane.row(row)).collect();
+        let distances = rows.par_iter().flat_map_iter(|points| {
+            let mut distances = vec![0.0; points.len()];
+            field.distances(points, &mut distances);
+            distances
+        });
+        let raster = Raster { width: plane.width, distances: distances.collect() };
+        Self { rows, raster }
+    }
+
+    /// Draws over the colours what was asked for.
+    fn finish(
+        &self,
+        field: &Field<'_>,
+        request: &Slice,
+        truth: Option<&dyn FieldFunction>,
+        mut pixels: Vec<Rgb>,
+    ) -> Image {
+        let Self { rows, raster } = self;
+
+        // Borders of the leaves or cells.
+        if request.cells {
+            let cells: Vec<Cell> = rows.par_iter().flatten_iter().map(|&point| cell_of(field, point)).collect();
+            for (index, pixel) in pixels.iter_mut().enumerate() {
+                let (right, below) = raster.neighbours(index);
+                if cells[index] != cells[right] || cells[index] != cells[below] {
+                    *pixel = colour::mix(*pixel, colour::CELL, 0.45);
+                }
             }
         }
-    }
 
-    // Doubt.
-    if let Some(truth) = truth {
-        let doubts = |&point: &[f32; 3]| truth.sign_is_doubtful(DVec3::from_array(point.map(f64::from)));
-        let doubtful: Vec<bool> = rows.par_iter().flatten_iter().map(doubts).collect();
-        for (pixel, _) in pixels.iter_mut().zip(doubtful).filter(|(_, is_doubtful)| *is_doubtful) {
-            *pixel = colour::mix(*pixel, colour::DOUBT, 0.7);
+        // Doubt.
+        if let Some(truth) = truth {
+            let doubts = |&point: &[f32; 3]| truth.sign_is_doubtful(DVec3::from_array(point.map(f64::from)));
+            let doubtful: Vec<bool> = rows.par_iter().flatten_iter().map(doubts).collect();
+            for (pixel, _) in pixels.iter_mut().zip(doubtful).filter(|(_, is_doubtful)| *is_doubtful) {
+                *pixel = colour::mix(*pixel, colour::DOUBT, 0.7);
+            }
         }
-    }
 
-    Image::new(plane.width as u32, pixels)
-}
-
-/// The pixels' places in space.
-struct Plane {
-    /// Centre of the top left pixel.
-    origin: [f64; 3],
-    /// Axes to the right and up.
-    right: usize,
-    up: usize,
-    /// Edge of a pixel, mesh units.
-    pixel: f64,
-    width: usize,
-    height: usize,
-}
-
-impl Plane {
-    fn through(field: &Field<'_>, request: &Slice) -> Self {
-        let bounds = field.header().bounds;
-        let (min, max) = (bounds.min.map(f64::from), bounds.max.map(f64::from));
-        let (axis, right, up) = match request.axis {
-            Axis::X => (0, 2, 1),
-            Axis::Y => (1, 0, 2),
-            Axis::Z => (2, 0, 1),
-        };
-
-        // Square pixels that cover the box.
-        let (size_right, size_up) = (max[right] - min[right], max[up] - min[up]);
-        let pixel = size_right.max(size_up) / f64::from(request.resolution);
-        let pixels_along = |size: f64| ((size / pixel).round() as usize).max(1);
-        let (width, height) = (pixels_along(size_right), pixels_along(size_up));
-
-        // The top left one.
-        let mut origin = [0.0; 3];
-        origin[axis] = match request.position {
-            Position::Fraction(fraction) => min[axis] + fraction * (max[axis] - min[axis]),
-            Position::Coordinate(coordinate) => coordinate,
-        };
-        origin[right] = min[right] + 0.5 * pixel;
-        origin[up] = max[up] - 0.5 * pixel;
-
-        Self { origin, right, up, pixel, width, height }
-    }
-
-    fn row(&self, row: usize) -> Vec<[f32; 3]> {
-        (0..self.width)
-            .map(|column| {
-                let mut point = self.origin;
-                point[self.right] += column as f64 * self.pixel;
-                point[self.up] -= row as f64 * self.pixel;
-                point.map(|coordinate| coordinate as f32)
-            })
-            .collect()
+        Image::new(raster.width as u32, pixels)
     }
 }
 
@@ -155,9 +122,11 @@ impl Raster {
         (right, below)
     }
 
-    fn shade(&self, index: usize, range: f64, spacing: f64) -> Rgb {
+    /// How much of a pixel is covered by a line where `offset`, a distance less that of the line, is zero: its width is
+    /// given in pixels, its edge blurred over one. Where the distance hardly changes, compared with `range`, lines stay
+    /// narrow.
+    fn coverage(&self, index: usize, offset: f64, half_width: f64, range: f64) -> f64 {
         let at = |index: usize| f64::from(self.distances[index]);
-        let distance = at(index);
 
         // How much the distance changes from pixel to pixel: what turns a distance into a line's width.
         let (right, below) = self.neighbours(index);
@@ -169,8 +138,12 @@ impl Raster {
         let (across, down) = (slope(left, right, 1), slope(above, below, self.width));
         let change = (across * across + down * down).sqrt().max(1e-6 * range);
 
-        // A line of a width in pixels, its edge blurred over one pixel.
-        let coverage = |offset: f64, half_width: f64| (half_width + 0.5 - offset.abs() / change).clamp(0.0, 1.0);
+        (half_width + 0.5 - offset.abs() / change).clamp(0.0, 1.0)
+    }
+
+    fn shade(&self, index: usize, range: f64, spacing: f64) -> Rgb {
+        let distance = f64::from(self.distances[index]);
+        let coverage = |offset: f64, half_width: f64| self.coverage(index, offset, half_width, range);
         let to_isoline = distance - (distance / spacing).round() * spacing;
         let ground = colour::of_distance(distance, range);
         let lined = colour::mix(ground, colour::ISOLINE, 0.6 * coverage(to_isoline, 0.5));

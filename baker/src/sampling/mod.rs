@@ -50,7 +50,7 @@ pub fn monomial(offset: DVec3, exponents: [u8; 3]) -> f64 {
 /// Polynomials of order `order` around points: the coefficients of [`EXPONENTS`] for each point in turn,
 /// by offsets in mesh units; and how often the function was sampled.
 ///
-/// `spacing` is the distance of grid samples along each axis. Where a first-order fit is to be
+/// What is to be fitted starts from the exact derivatives. `spacing` is the distance of grid samples along each axis. Where a first-order fit is to be
 /// normalized, its gradient becomes a unit vector and its value stays: dividing both, as Algorithm 1 of
 /// Bán and Valasek 2020 does, moves the value where the gradient is short, at the cut locus.
 pub fn polynomials(
@@ -61,7 +61,7 @@ pub fn polynomials(
     spacing: DVec3,
 ) -> (Vec<f64>, usize) {
     match sampling {
-        Sampling::Taylor => {
+        Sampling::Taylor | Sampling::Fitted => {
             let samples = function.sample_all(points);
             let terms = terms(order.min(1));
             let coefficients = samples

@@ -9,7 +9,7 @@ mod seams;
 pub use contradiction::{Contradiction, MIN_FRESH_SAMPLES, exceeds, refutes};
 pub use difference::{FieldDifference, compare};
 pub use distribution::ErrorDistribution;
-pub use seams::SeamStatistics;
+pub use seams::{SeamBound, SeamStatistics};
 
 use crate::field_function::{FieldFunction, Sample};
 use crate::geometry::Aabb;
@@ -132,7 +132,7 @@ impl Measurement {
         ErrorContract {
             uniform: figures(&self.uniform),
             band: figures(&self.band),
-            seam_max: self.seams.max as f32,
+            seam_max: self.seams.largest() as f32,
             sample_count: self.samples,
             doubtful_signs: u32::try_from(self.doubtful_signs).unwrap_or(u32::MAX),
         }

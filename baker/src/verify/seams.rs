@@ -1,5 +1,9 @@
 //! How far a field jumps across the faces between its leaves.
 
+mod bound;
+
+pub use bound::SeamBound;
+
 use crate::random::Draws;
 use nearfield::{Field, Grid, Leaf, Octree, PolynomialOctree, Reconstruction};
 use rayon::prelude::*;
@@ -18,9 +22,11 @@ const CHUNK: usize = 1 << 10;
 /// What differs between the two sides of the faces between leaves. Mesh units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SeamStatistics {
+    /// What no face exceeds, from what the leaves hold; of octrees of interpolants.
+    pub bound: Option<SeamBound>,
     /// Points at which both sides were asked.
     pub points: usize,
-    /// Largest difference of the distance.
+    /// Largest difference of the distance at these points.
     pub max: f64,
     /// Root mean square difference of the distance.
     pub rms: f64,
@@ -32,13 +38,23 @@ pub struct SeamStatistics {
     pub steepest: f64,
 }
 
+impl SeamStatistics {
+    /// The largest jump of the distance that is known to occur, or that cannot be excluded.
+    pub fn largest(&self) -> f64 {
+        self.bound.map_or(self.max, |bound| bound.value.max(self.max))
+    }
+}
+
 /// Asks both sides of every face between leaves at random points.
 ///
 /// A face between leaves of different sizes is visited from the smaller one; a face between equals
 /// from the one on its low side. So every face counts once.
 pub(super) fn measure(field: &Field<'_>, seed: u64) -> SeamStatistics {
     match (field.octree(), field.polynomial_octree(), field.grid()) {
-        (Some(octree), _, _) => of_tree(&Tree::Interpolants(&octree), seed),
+        (Some(octree), _, _) => {
+            let bound = Some(bound::of_interpolants(&octree));
+            SeamStatistics { bound, ..of_tree(&Tree::Interpolants(&octree), seed) }
+        }
         (_, Some(octree), _) => of_tree(&Tree::Polynomials(&octree, field), seed),
         (_, _, Some(grid)) => of_grid(&grid, seed),
         (None, None, None) => SeamStatistics::default(),
@@ -186,13 +202,17 @@ const FACES: [Face; 6] = [
     Face { axis: 2, high: true },
 ];
 
+/// Whether it is this leaf's turn: the smaller one's, between equals that on the low side.
+fn measured_from_here(leaf: &Leaf, neighbour: &Leaf, face: Face) -> bool {
+    neighbour.level < leaf.level || (neighbour.level == leaf.level && face.high)
+}
+
 /// Adds the jumps across one face of a leaf, if it is this leaf's turn to measure it.
 fn across(tree: &Tree<'_>, leaf: &Leaf, face: Face, draws: &mut Draws, sums: &mut Sums) {
     let Some(neighbour) = neighbour(tree, leaf, face) else {
         return;
     };
-    let measured_from_here = neighbour.level < leaf.level || (neighbour.level == leaf.level && face.high);
-    if !measured_from_here {
+    if !measured_from_here(leaf, &neighbour, face) {
         return;
     }
 
@@ -259,6 +279,7 @@ impl Sums {
     fn statistics(self) -> SeamStatistics {
         let root_mean = |sum: f64| (sum / self.points.max(1) as f64).sqrt();
         SeamStatistics {
+            bound: None,
             points: self.points,
             max: self.max,
             rms: root_mean(self.squares),

@@ -152,6 +152,17 @@ fn jobs_and_threads_do_not_change_the_bytes() {
 }
 
 #[test]
+fn a_memory_budget_is_kept_or_refused_with_a_sentence() {
+    let bench = bench();
+    assert_eq!(verdicts(&bench, "--memory 40M --jobs 4"), ["a.obj baked: new", "b.obj baked: new"]);
+    let refused = bench.run("batch assets.toml --force --memory 1M");
+    assert_eq!(refused.output.status.code(), Some(6), "{}", refused.stderr());
+    assert!(refused.stderr().starts_with("error: ") && refused.stderr().contains("raise --memory"));
+    bench.run("batch assets.toml --memory 1M").succeeds();
+    bench.run("batch assets.toml --memory 1T").fails(2, &["--memory"]);
+}
+
+#[test]
 fn a_cache_may_be_shared_and_damaged() {
     let bench = bench();
     bench.run("batch assets.toml --cache shared").succeeds();

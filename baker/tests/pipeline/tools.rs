@@ -1,4 +1,5 @@
 use crate::support::{Bench, CUBE, json};
+use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
@@ -36,28 +37,84 @@ fn the_difference_is_no_larger_than_both_errors() {
     assert!(rms > 0.1 * error && rms < 3.0 * error, "{rms} beside {error}");
 }
 
-#[test]
-fn the_published_schema_is_that_of_the_reports() {
-    let bench = Bench::new();
-    let printed = bench.run("generate report-schema");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/report.schema.json");
+/// The published schema `docs/NAME.schema.json`, which must be what `generate NAME-schema` prints.
+fn published_schema(bench: &Bench, name: &str) -> Value {
+    let printed = bench.run(&format!("generate {name}-schema"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../docs/{name}.schema.json"));
     let published = fs::read_to_string(&path).expect("the published schema");
     assert!(
         printed.succeeds().stdout() == published,
-        "docs/report.schema.json is stale: write it again with `nearfield generate report-schema`"
+        "docs/{name}.schema.json is stale: write it again with `nearfield generate {name}-schema`"
     );
+    json(&path)
+}
 
-    // Every name of a real report is in it, and every name that it requires is in the report.
-    bench.write("cube.obj", CUBE);
-    bench.run("bake cube.obj -o cube.nfd --max-depth 4 --samples 500 --report report.json").succeeds();
-    let (report, schema) = (json(&bench.path("report.json")), json(&path));
-    let names =
-        |value: &serde_json::Value| -> Vec<String> { value.as_object().expect("an object").keys().cloned().collect() };
-    assert_eq!(names(&report), names(&schema["properties"]));
+/// Every name of a value is in its schema, and every name that this requires is in the value.
+fn expect_described(value: &Value, schema: &Value) {
+    let names = |value: &Value| -> Vec<String> { value.as_object().expect("an object").keys().cloned().collect() };
+    assert_eq!(names(value), names(&schema["properties"]));
     for required in schema["required"].as_array().expect("a list") {
         let name = required.as_str().expect("a name");
-        assert!(report.get(name).is_some(), "no {name}");
+        assert!(value.get(name).is_some(), "no {name}");
     }
+}
+
+#[test]
+fn the_published_schemas_are_those_of_the_reports() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+    bench.run("bake cube.obj -o cube.nfd --max-depth 4 --samples 500 --report report.json").succeeds();
+    expect_described(&json(&bench.path("report.json")), &published_schema(&bench, "report"));
+
+    bench.write("assets.toml", "output = 'fields'\nassets = [{ include = ['*.obj'], max-depth = 4, samples = 500 }]\n");
+    bench.run("batch assets.toml --report batch.json").succeeds();
+    let (batch, schema) = (json(&bench.path("batch.json")), published_schema(&bench, "batch"));
+    expect_described(&batch, &schema);
+    expect_described(&batch["assets"][0], &schema["$defs"]["AssetReport"]);
+
+    bench.run("bake cube.obj -o other.nfd --max-depth 3 --samples 500").succeeds();
+    let diff = bench.run("diff cube.nfd other.nfd --json --samples 500");
+    let diff: Value = serde_json::from_slice(&diff.succeeds().output.stdout).expect("JSON");
+    let schema = published_schema(&bench, "diff");
+    expect_described(&diff, &schema);
+    expect_described(&diff["properties"][0], &schema["$defs"]["Property"]);
+    expect_described(&diff["shared_box"], &schema["$defs"]["Figures"]);
+}
+
+#[test]
+fn an_oblique_slice_covers_the_box_and_one_along_an_axis_is_that_of_the_axis() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+    bench.run("bake cube.obj -o cube.nfd --max-depth 4 --samples 500").succeeds();
+    bench.run("slice cube.nfd -o axis.png --resolution 60").succeeds();
+    bench.run("slice cube.nfd -o plane.png --resolution 60 --normal 0,0,3").succeeds();
+    let [axis, plane] = ["axis.png", "plane.png"].map(|name| decode(&bench.path(name)));
+    assert_eq!((axis.0, axis.1), (plane.0, plane.1));
+    assert!(axis.2.iter().zip(&plane.2).all(|(a, b)| a.abs_diff(*b) <= 3), "but for rounding");
+
+    bench
+        .run("slice cube.nfd -o oblique.png --resolution 60 --normal -1,1,0.5 --origin 0.5,0.5,0.9 --cells")
+        .succeeds();
+    let (width, height, _) = decode(&bench.path("oblique.png"));
+    assert!(width.max(height) == 60 && width.min(height) > 45, "{width} by {height}");
+}
+
+#[test]
+fn an_error_map_is_white_where_nothing_is_wrong_and_has_a_scale() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+    bench.run("bake cube.obj -o cube.nfd --max-depth 6 --samples 500").succeeds();
+    bench.run("slice cube.nfd -o plain.png --resolution 120").succeeds();
+    bench.run("slice cube.nfd -o errors.png --resolution 120 --mesh cube.obj --error-map").succeeds();
+    let (width, plain_height, _) = decode(&bench.path("plain.png"));
+    let (map_width, height, pixels) = decode(&bench.path("errors.png"));
+    assert!(width == map_width && height > plain_height, "a scale is below it");
+
+    // Most of the map is pale: errors are far below the greatest. Some of it is not.
+    let light = |index: usize| pixels[3 * index..][..3].iter().map(|&c| u32::from(c)).sum::<u32>();
+    let count = width * plain_height;
+    let pale = (0..count).filter(|&index| light(index) > 500).count();
+    assert!(pale > count / 2 && pale < count, "{pale} of {count}");
 }
 
 #[test]

@@ -16,8 +16,11 @@ pub trait Obstacle {
     /// A box that holds it.
     fn bounds(&self) -> Aabb;
 
-    /// Signed distance, negative inside, and its gradient.
-    fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]);
+    /// How much its distance changes at most over a unit of length.
+    fn steepest(&self) -> f32;
+
+    /// Signed distances, negative inside, and their gradients, at points of the box.
+    fn ask(&self, points: &[[f32; 3]], distances: &mut [f32], gradients: &mut [[f32; 3]]);
 }
 
 impl Obstacle for Field<'_> {
@@ -25,8 +28,12 @@ impl Obstacle for Field<'_> {
         self.header().bounds
     }
 
-    fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        self.distance_and_gradient(point)
+    fn steepest(&self) -> f32 {
+        self.header().lipschitz
+    }
+
+    fn ask(&self, points: &[[f32; 3]], distances: &mut [f32], gradients: &mut [[f32; 3]]) {
+        self.distances_and_gradients(points, distances, gradients);
     }
 }
 
@@ -59,6 +66,15 @@ impl Exact {
         let triangles = elements("face")?.iter().map(triangle).collect::<Result<_, _>>()?;
         Ok(Self { mesh: TriMesh::with_flags(vertices, triangles, TriMeshFlags::ORIENTED)?, bounds })
     }
+
+    /// Signed distance and gradient at a point.
+    pub fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
+        let point = Vector::from(point);
+        let closest = self.mesh.project_local_point(point, false);
+        let away = point - closest.point;
+        let (distance, sign) = (away.length(), if closest.is_inside { -1.0 } else { 1.0 });
+        (sign * distance, (away * (sign / distance.max(f32::MIN_POSITIVE))).to_array())
+    }
 }
 
 impl Obstacle for Exact {
@@ -66,11 +82,13 @@ impl Obstacle for Exact {
         self.bounds
     }
 
-    fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        let point = Vector::from(point);
-        let closest = self.mesh.project_local_point(point, false);
-        let away = point - closest.point;
-        let (distance, sign) = (away.length(), if closest.is_inside { -1.0 } else { 1.0 });
-        (sign * distance, (away * (sign / distance.max(f32::MIN_POSITIVE))).to_array())
+    fn steepest(&self) -> f32 {
+        1.0
+    }
+
+    fn ask(&self, points: &[[f32; 3]], distances: &mut [f32], gradients: &mut [[f32; 3]]) {
+        for ((&point, distance), gradient) in points.iter().zip(distances).zip(gradients) {
+            (*distance, *gradient) = self.distance_and_gradient(point);
+        }
     }
 }

@@ -1,7 +1,8 @@
 /* Asks a field at the points "x y z" of its input, one a line: `query FIELD.nfd < points`.
  *
  * A line of output for each: distance and gradient; normal; closest point, residual and steps; clearance; the range within
- * 0.1 of the point; and the end, steps, distance, point and normal of a ray that leaves it along (1, 2, 3).
+ * 0.1 of the point; the end, steps, distance, point and normal of a ray that leaves it along (1, 2, 3); distance and
+ * gradient of the field at twice its size, its x axis along y.
  * Nine digits tell every float from its neighbours. */
 #include <nearfield.h>
 #include <stdio.h>
@@ -35,6 +36,9 @@ static void print_answers(const NearfieldField *field, NearfieldVector point) {
     const NearfieldRange range = nearfield_range(field, low, high);
     const NearfieldRay ray = {point, {1.0f, 2.0f, 3.0f}, 1e3f, 0.0f};
     const NearfieldRayHit hit = nearfield_raycast(field, ray);
+    const NearfieldPlacement twice = {{0.0f, 2.0f, 0.0f}, {-2.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 2.0f}, {1.0f, 0.0f, 0.5f}};
+    NearfieldInstance instance;
+    NearfieldSample placed;
 
     printf("%.9g", nearfield_distance(field, point));
     print_vector(sample.gradient);
@@ -45,6 +49,10 @@ static void print_answers(const NearfieldField *field, NearfieldVector point) {
     printf(" %d %u %.9g", (int)hit.end, (unsigned)hit.steps, hit.distance);
     print_vector(hit.point);
     print_vector(hit.normal);
+    if (nearfield_instance(field, twice, &instance) != NEARFIELD_RESULT_OK) abort();
+    placed = nearfield_instance_distance_and_gradient(&instance, point);
+    printf(" %.9g", placed.distance);
+    print_vector(placed.gradient);
     printf("\n");
 }
 

@@ -158,6 +158,8 @@ enum NearfieldResult
   NEARFIELD_RESULT_NOT_OPEN = 257,
   // The bytes break a rule that this interface has no number for.
   NEARFIELD_RESULT_OTHER = 258,
+  // A placement is not a rotation or reflection with a uniform scale.
+  NEARFIELD_RESULT_NOT_A_SIMILARITY = 259,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -317,6 +319,29 @@ typedef struct NearfieldClosestPoint {
   uint32_t steps;
 } NearfieldClosestPoint;
 
+// Where a field is in a world: its point (x, y, z) is at x times `x_axis`, y times `y_axis` and z times `z_axis` from `origin`.
+//
+// The axes are at right angles and equally long, within 1e-4 of that length: it is the scale, from 2^-20 to 2^20. They may
+// be left-handed, which mirrors the field. No factor turns the distances of a stretched field into the world's: bake the
+// stretched mesh instead.
+typedef struct NearfieldPlacement {
+  // Where the x axis of the mesh points.
+  struct NearfieldVector x_axis;
+  // Its y axis.
+  struct NearfieldVector y_axis;
+  // Its z axis.
+  struct NearfieldVector z_axis;
+  // Where its origin is, in the units of the world.
+  struct NearfieldVector origin;
+} NearfieldPlacement;
+
+// A field that was moved, turned, mirrored or uniformly scaled. 384 bytes, on every machine; the members are the library's. It
+// borrows the bytes of the field, not its handle.
+typedef struct NearfieldInstance {
+  uint64_t is_open;
+  uint64_t reader[47];
+} NearfieldInstance;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -443,6 +468,23 @@ struct NearfieldRayHit nearfield_raycast(const struct NearfieldField *field,
 struct NearfieldClosestPoint nearfield_closest_point(const struct NearfieldField *field,
                                                      struct NearfieldVector point);
 
+// Places a field in a world. To move it, place it again: it takes a few dozen operations.
+//
+// Unless it succeeds the instance is not open. NEARFIELD_RESULT_NULL if `instance` is NULL, NEARFIELD_RESULT_NOT_OPEN if the
+// field is not open, NEARFIELD_RESULT_NOT_A_SIMILARITY if the axes are not as they should be or a number is not finite.
+NearfieldResult nearfield_instance(const struct NearfieldField *field,
+                                   struct NearfieldPlacement placement,
+                                   struct NearfieldInstance *instance);
+
+// Signed distance from a point of the world to the surface of an instance, in the units of the world: nearfield_distance times
+// the scale.
+float nearfield_instance_distance(const struct NearfieldInstance *instance,
+                                  struct NearfieldVector point);
+
+// Signed distance, as nearfield_instance_distance to the bit, and gradient in the frame of the world.
+struct NearfieldSample nearfield_instance_distance_and_gradient(const struct NearfieldInstance *instance,
+                                                                struct NearfieldVector point);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
@@ -451,7 +493,9 @@ struct NearfieldClosestPoint nearfield_closest_point(const struct NearfieldField
 
 /* What the library was built with. */
 #if defined(__cplusplus)
-static_assert(sizeof(NearfieldField) == 256 && sizeof(NearfieldCursor) == 1024, "handles of another size");
+static_assert(sizeof(NearfieldField) == 256 && sizeof(NearfieldCursor) == 1024 &&
+              sizeof(NearfieldInstance) == 384, "handles of another size");
 #elif __STDC_VERSION__ >= 201112L
-_Static_assert(sizeof(NearfieldField) == 256 && sizeof(NearfieldCursor) == 1024, "handles of another size");
+_Static_assert(sizeof(NearfieldField) == 256 && sizeof(NearfieldCursor) == 1024 &&
+              sizeof(NearfieldInstance) == 384, "handles of another size");
 #endif

@@ -23,6 +23,8 @@ mod cursor;
 
 mod march;
 
+mod instance;
+
 // Not in it.
 mod opaque;
 
@@ -34,6 +36,10 @@ pub use field::{NearfieldField, nearfield_open, nearfield_validate};
 pub use info::{
     NEARFIELD_ABI_VERSION, NearfieldErrors, NearfieldFormat, NearfieldInfo, nearfield_abi_version, nearfield_format,
     nearfield_info,
+};
+pub use instance::{
+    NearfieldInstance, NearfieldPlacement, nearfield_instance, nearfield_instance_distance,
+    nearfield_instance_distance_and_gradient,
 };
 pub use march::{
     NearfieldClosestPoint, NearfieldRay, NearfieldRayEnd, NearfieldRayHit, nearfield_closest_point, nearfield_raycast,

@@ -117,6 +117,8 @@ pub enum NearfieldResult {
     NotOpen = 257,
     /// The bytes break a rule that this interface has no number for.
     Other = 258,
+    /// A placement is not a rotation or reflection with a uniform scale.
+    NotASimilarity = 259,
 }
 
 /// A text with the zero at its end that C wants.
@@ -173,10 +175,12 @@ pub extern "C" fn nearfield_result_text(result: i32) -> *const c_char {
     const OK: i32 = NearfieldResult::Ok as i32;
     const NULL: i32 = NearfieldResult::Null as i32;
     const NOT_OPEN: i32 = NearfieldResult::NotOpen as i32;
+    const NOT_A_SIMILARITY: i32 = NearfieldResult::NotASimilarity as i32;
     match result {
         OK => text!("no error"),
         NULL => text!("a pointer is NULL"),
         NOT_OPEN => text!("the field is not open"),
+        NOT_A_SIMILARITY => text!("the placement is not a rotation or reflection with a uniform scale"),
         _ => error_text(result).unwrap_or(text!("the bytes are not a field that this version can read")),
     }
 }

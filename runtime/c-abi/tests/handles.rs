@@ -32,6 +32,64 @@ fn text(result: i32) -> &'static str {
 fn sizes_are_those_of_the_manual() {
     assert_eq!((size_of::<NearfieldField>(), align_of::<NearfieldField>()), (256, align_of::<u64>()));
     assert_eq!((size_of::<NearfieldCursor>(), align_of::<NearfieldCursor>()), (1024, align_of::<u64>()));
+    assert_eq!((size_of::<NearfieldInstance>(), align_of::<NearfieldInstance>()), (384, align_of::<u64>()));
+}
+
+/// An instance in memory of which nothing is known.
+fn placed(field: Option<&NearfieldField>, placement: NearfieldPlacement) -> (NearfieldInstance, NearfieldResult) {
+    let mut instance = MaybeUninit::uninit();
+    let result = nearfield_instance(field, placement, Some(&mut instance));
+    // SAFETY: `nearfield_instance` writes a handle, open or not.
+    (unsafe { instance.assume_init() }, result)
+}
+
+/// Turned by a right angle about z, mirrored along it and scaled by `scale` along x and y, by `height` along z.
+fn placement(scale: f32, height: f32) -> NearfieldPlacement {
+    NearfieldPlacement {
+        x_axis: NearfieldVector { y: scale, ..ORIGIN },
+        y_axis: NearfieldVector { x: -scale, ..ORIGIN },
+        z_axis: NearfieldVector { z: -height, ..ORIGIN },
+        origin: NearfieldVector { x: 5.0, y: -0.25, z: 1.0 },
+    }
+}
+
+#[test]
+fn an_instance_has_the_bits_of_rust() {
+    let reader = nearfield::Field::open(BYTES).expect("a field");
+    let ours =
+        nearfield::Instance::new(reader, [[0.0, 2.5, 0.0], [-2.5, 0.0, 0.0], [0.0, 0.0, -2.5]], [5.0, -0.25, 1.0])
+            .expect("a similarity");
+    let (field, _) = open(BYTES);
+    let (instance, result) = placed(Some(&field), placement(2.5, 2.5));
+    assert_eq!(result, NearfieldResult::Ok);
+    for step in 0..200 {
+        let part = |prime: i32| (step * prime % 199) as f32 / 199.0;
+        let point = [2.0 + 6.0 * part(7), -2.0 + 6.0 * part(31), -3.0 + 6.0 * part(101)];
+        let (distance, gradient) = ours.distance_and_gradient(point);
+        let theirs = nearfield_instance_distance_and_gradient(Some(&instance), point.into());
+        assert_eq!(theirs.distance.to_bits(), distance.to_bits());
+        assert_eq!(<[f32; 3]>::from(theirs.gradient).map(f32::to_bits), gradient.map(f32::to_bits));
+        assert_eq!(nearfield_instance_distance(Some(&instance), point.into()).to_bits(), distance.to_bits());
+    }
+}
+
+#[test]
+fn instances_that_are_none_answer_nan() {
+    let (field, _) = open(BYTES);
+    let whole = placement(1.0, 1.0);
+    for (field, placement, expected) in [
+        (None, whole, NearfieldResult::NotOpen),
+        (Some(&closed()), whole, NearfieldResult::NotOpen),
+        (Some(&field), placement(1.0, 2.0), NearfieldResult::NotASimilarity),
+        (Some(&field), placement(f32::NAN, 1.0), NearfieldResult::NotASimilarity),
+    ] {
+        let (instance, result) = placed(field, placement);
+        assert_eq!(result, expected);
+        assert!(nearfield_instance_distance(Some(&instance), ORIGIN).is_nan());
+        assert!(nearfield_instance_distance_and_gradient(Some(&instance), ORIGIN).gradient.z.is_nan());
+    }
+    assert_eq!(nearfield_instance(Some(&field), whole, None), NearfieldResult::Null);
+    assert!(nearfield_instance_distance(None, ORIGIN).is_nan());
 }
 
 #[test]

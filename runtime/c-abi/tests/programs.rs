@@ -113,7 +113,10 @@ fn answers(field: &Field<'_>, point: [f32; 3]) -> Vec<f32> {
         Raycast::Hit(hit) => [&[1.0, hit.steps as f32, hit.distance][..], &hit.point, &hit.normal].concat(),
         Raycast::OutOfSteps { clear } => [&[2.0, 512.0, clear][..], &[0.0; 6]].concat(),
     };
-    let parts: [&[f32]; 7] = [
+    let axes = [[0.0, 2.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 0.0, 2.0]];
+    let instance = nearfield::Instance::new(*field, axes, [1.0, 0.0, 0.5]).expect("a similarity");
+    let (placed, slope) = instance.distance_and_gradient(point);
+    let parts: [&[f32]; 9] = [
         &[distance],
         &gradient,
         &field.normal(point),
@@ -121,6 +124,8 @@ fn answers(field: &Field<'_>, point: [f32; 3]) -> Vec<f32> {
         &[closest.residual, closest.steps as f32],
         &[field.clearance(point), low, high],
         &ray,
+        &[placed],
+        &slope,
     ];
     parts.concat()
 }

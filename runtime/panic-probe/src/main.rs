@@ -55,7 +55,7 @@ fn query(field: Field<'_>, point: [f32; 3]) {
     }
     if let Some(octree) = field.octree() {
         for leaf in octree.leaves() {
-            black_box(octree.evaluate(&leaf, point));
+            black_box((octree.evaluate(&leaf, point), octree.corners(&leaf)));
         }
     }
     if let Some(octree) = field.polynomial_octree() {

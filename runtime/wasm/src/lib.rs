@@ -10,9 +10,11 @@
 //! are written overlap others; `field` was filled by an [`open`] that returned 0, and its file has not changed since.
 #![no_std]
 
-use core::fmt::{self, Write};
 use core::slice;
-use reader::{Aabb, ErrorStatistics, Field, Raycast};
+use reader::{Aabb, ErrorStatistics, Raycast};
+
+mod family;
+use family::Field;
 
 /// What happens when nothing can: the reader cannot panic, and this file does not.
 #[cfg(target_arch = "wasm32")]
@@ -27,7 +29,7 @@ const MESSAGE: usize = 256;
 /// Bytes that a field takes beside its file.
 #[unsafe(no_mangle)]
 pub extern "C" fn field_size() -> usize {
-    size_of::<Field<'static>>()
+    size_of::<Field>()
 }
 
 /// Opens and validates the field of `length` bytes at `file`, and puts it at `field`.
@@ -37,15 +39,10 @@ pub extern "C" fn field_size() -> usize {
 /// # Safety
 /// See the module; the file stays where it is for as long as the field is used.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn open(
-    file: *const u8,
-    length: usize,
-    field: *mut Field<'static>,
-    message: *mut [u8; MESSAGE],
-) -> usize {
+pub unsafe extern "C" fn open(file: *const u8, length: usize, field: *mut Field, message: *mut [u8; MESSAGE]) -> usize {
     // SAFETY: the caller says that so many bytes are there, and that they stay.
     let bytes: &'static [u8] = unsafe { slice::from_raw_parts(file, length) };
-    match Field::open(bytes).and_then(|field| field.validate().map(|()| field)) {
+    match family::OPEN(bytes).and_then(|field| field.validate().map(|()| field)) {
         Ok(opened) => {
             // SAFETY: the caller says that the field fits here.
             unsafe { field.write(opened) };
@@ -53,28 +50,14 @@ pub unsafe extern "C" fn open(
         }
         Err(error) => {
             // SAFETY: the caller says that the message fits here.
-            let mut message = Message { text: unsafe { &mut *message }, length: 0 };
+            let message = unsafe { &mut *message };
+            let text = error.text().as_bytes();
+            for (to, from) in message.iter_mut().zip(text) {
+                *to = *from;
+            }
             // A message that is too long is cut.
-            let _ = write!(message, "{error}");
-            message.length.max(1)
+            text.len().min(MESSAGE)
         }
-    }
-}
-
-/// Text of limited length.
-struct Message<'a> {
-    text: &'a mut [u8; MESSAGE],
-    length: usize,
-}
-
-impl Write for Message<'_> {
-    fn write_str(&mut self, part: &str) -> fmt::Result {
-        let room = self.text.get_mut(self.length..).unwrap_or_default();
-        for (to, from) in room.iter_mut().zip(part.as_bytes()) {
-            *to = *from;
-            self.length += 1;
-        }
-        Ok(())
     }
 }
 
@@ -98,7 +81,7 @@ pub struct Description {
 /// # Safety
 /// See the module.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn describe(field: &Field<'static>, description: *mut Description) {
+pub unsafe extern "C" fn describe(field: &Field, description: *mut Description) {
     let header = field.header();
     let contract = field.contract();
     let Aabb { min, max } = header.bounds;
@@ -121,13 +104,13 @@ pub unsafe extern "C" fn describe(field: &Field<'static>, description: *mut Desc
 
 /// [`Field::distance`].
 #[unsafe(no_mangle)]
-pub extern "C" fn distance(field: &Field<'static>, x: f32, y: f32, z: f32) -> f32 {
+pub extern "C" fn distance(field: &Field, x: f32, y: f32, z: f32) -> f32 {
     field.distance([x, y, z])
 }
 
 /// [`Field::clearance`].
 #[unsafe(no_mangle)]
-pub extern "C" fn clearance(field: &Field<'static>, x: f32, y: f32, z: f32) -> f32 {
+pub extern "C" fn clearance(field: &Field, x: f32, y: f32, z: f32) -> f32 {
     field.clearance([x, y, z])
 }
 
@@ -136,7 +119,7 @@ pub extern "C" fn clearance(field: &Field<'static>, x: f32, y: f32, z: f32) -> f
 /// # Safety
 /// See the module.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn distances(field: &Field<'static>, points: *const [f32; 3], distances: *mut f32, count: usize) {
+pub unsafe extern "C" fn distances(field: &Field, points: *const [f32; 3], distances: *mut f32, count: usize) {
     // SAFETY: the caller says that so many points are there, and room for as many distances.
     let (points, distances) =
         unsafe { (slice::from_raw_parts(points, count), slice::from_raw_parts_mut(distances, count)) };
@@ -149,7 +132,7 @@ pub unsafe extern "C" fn distances(field: &Field<'static>, points: *const [f32; 
 /// See the module.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn distances_and_gradients(
-    field: &Field<'static>,
+    field: &Field,
     points: *const [f32; 3],
     distances: *mut f32,
     gradients: *mut [f32; 3],
@@ -173,7 +156,7 @@ pub unsafe extern "C" fn distances_and_gradients(
 /// # Safety
 /// See the module.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn raycast(field: &Field<'static>, ray: &[f32; 8], hit: *mut [f32; 7]) -> u32 {
+pub unsafe extern "C" fn raycast(field: &Field, ray: &[f32; 8], hit: *mut [f32; 7]) -> u32 {
     let [x, y, z, along_x, along_y, along_z, length, within] = *ray;
     let (kind, numbers) = match field.raycast([x, y, z], [along_x, along_y, along_z], length, within) {
         Raycast::Miss { .. } => (0, [0.0; 7]),
@@ -193,7 +176,7 @@ pub unsafe extern "C" fn raycast(field: &Field<'static>, ray: &[f32; 8], hit: *m
 /// # Safety
 /// See the module.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn closest_point(field: &Field<'static>, x: f32, y: f32, z: f32, end: *mut [f32; 3]) -> f32 {
+pub unsafe extern "C" fn closest_point(field: &Field, x: f32, y: f32, z: f32, end: *mut [f32; 3]) -> f32 {
     let closest = field.closest_point([x, y, z]);
     // SAFETY: the caller says that the point fits here.
     unsafe { end.write(closest.point) };

@@ -41,6 +41,32 @@ test("the answers of every vector of the format", async () => {
   }
 });
 
+test("a module of one family has the answers of the module of all", async () => {
+  const modules = {};
+  for (const family of ["grid", "octree", "polynomial"]) {
+    const url = new URL(import.meta.resolve(`nearfield/nearfield-${family}.wasm`));
+    modules[family] = await WebAssembly.compile(await readFile(url));
+  }
+  const opened = { grid: 0, octree: 0, polynomial: 0 };
+  for (const name of await names("valid/")) {
+    const bytes = await bytesOf(name);
+    const whole = await open(bytes);
+    const answers = JSON.parse(await readFile(new URL(name.replace(".nfd", ".json"), vectors), "utf8"), beyondJson);
+    const points = new Float32Array(answers.flatMap(({ point }) => point));
+    const expected = whole.distancesAndGradients(points);
+    let count = 0;
+    for (const [family, module] of Object.entries(modules)) {
+      const field = await open(bytes, module).catch((error) => assert.match(error.message, /family/, name));
+      if (!field) continue;
+      assert.deepEqual(field.distancesAndGradients(points), expected, name);
+      opened[family] += 1;
+      count += 1;
+    }
+    assert.equal(count, 1, name);
+  }
+  for (const [family, count] of Object.entries(opened)) assert.ok(count > 10, `${count} of ${family}`);
+});
+
 test("no invalid vector opens", async () => {
   const invalid = await names("invalid/");
   assert.ok(invalid.length > 50);

@@ -99,11 +99,17 @@ impl Bench {
     }
 }
 
-/// Whether field and grid answer alike inside the box: each is within the contract's p99 of the truth at 99 % of the
+/// Whether a batch has the bits of its points asked one by one, and whether field and grid answer alike inside the box: each is within the contract's p99 of the truth at 99 % of the
 /// points, and a true distance changes by at most half a cell's diagonal between a point and the
 /// corners that the grid interpolates, on average over them.
 fn compare(field: &Field<'_>, dense: &DenseGrid, points: &[[f32; 3]]) -> Result<(), String> {
     const SHARE: f64 = 0.98;
+    let mut batch = vec![0.0; points.len()];
+    field.distances(points, &mut batch);
+    if points.iter().zip(&batch).any(|(&point, batch)| field.distance(point).to_bits() != batch.to_bits()) {
+        return Err("a batch does not answer as its points do one by one".to_owned());
+    }
+
     let contract = field.contract();
     let bound = 2.0 * contract.uniform.p99.max(contract.band.p99) + 0.5 * 3f32.sqrt() * dense.edge();
 
