@@ -157,15 +157,12 @@ fn a_greatest_error_is_kept() {
 
 #[test]
 fn a_greatest_error_that_no_leaf_keeps_is_refused() {
-    let asked = PolynomialSettings { max_error: Some(Target::Relative(3e-3)), ..PolynomialSettings::default() };
+    let asked = PolynomialSettings { max_error: Some(Target::Relative(6e-3)), ..PolynomialSettings::default() };
     let settings = Settings { max_depth: 4, ..with_error(2e-3, asked) };
     let Err(BakeError::Unkept(unkept)) = bake(&spot(), &settings, &Silent) else {
-        panic!("a greatest error of 3e-3 in leaves of level 4");
+        panic!("a greatest error of 6e-3 in leaves of level 4");
     };
-    assert!(unkept.error > 2.5e-3 * spot().bounds.diagonal(), "{unkept}");
-
-    let budget = Settings { max_bytes: Some(60_000), ..settings };
-    assert!(matches!(bake(&spot(), &budget, &Silent), Err(BakeError::Unkept(_))), "whatever the bytes");
+    assert!(unkept.error > 5e-3 * spot().bounds.diagonal(), "{unkept}");
 }
 
 #[test]
