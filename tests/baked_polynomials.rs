@@ -2,16 +2,15 @@ use crate::shapes;
 use glam::DVec3;
 use nearfield::Field;
 use nearfield_bake::bake;
-use nearfield_bake::distance::{SignMethod, SignedDistance};
+use nearfield_bake::distance::{SignChoice, SignMethod, SignedDistance};
 use nearfield_bake::encode::{Provenance, encode_polynomial};
-use nearfield_bake::field_function::FieldFunction;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::polynomial::PolynomialOctree;
-use nearfield_bake::polynomial::cells::octant;
 use nearfield_bake::polynomial::overlap::Blend;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::random::Draws;
 use nearfield_bake::settings::{Continuity, Layout, PolynomialSettings, Profile, Settings, Target};
+use nearfield_bake::verify::measure;
 use nearfield_bake::{BakeError, Baked, bake_smallest};
 
 fn with_error(error: f64, polynomial: PolynomialSettings) -> Settings {
@@ -54,6 +53,7 @@ fn octree_and_bytes(error: f64, continuity: Continuity) -> (PolynomialOctree, Ve
     let polynomial = PolynomialSettings::default();
     let settings = Settings { continuity, ..with_error(error, polynomial) };
     let octree = PolynomialOctree::build(&distance, &mesh.bounds, &settings, &polynomial, diagonal, &Silent);
+    let octree = octree.expect("no greatest error is asked for");
     let provenance = Provenance {
         mesh_hash: [0; 16],
         settings_hash: [0; 8],
@@ -140,35 +140,29 @@ fn the_surface_profile_spares_bytes_far_away_alone() {
 
 #[test]
 fn a_greatest_error_is_kept() {
-    let diagonal = spot().bounds.diagonal();
-    let settings = PolynomialSettings { max_error: Some(Target::Relative(4e-3)), ..PolynomialSettings::default() };
-    let measured = baked(&with_error(2e-3, settings)).report.measurement;
-    let max = measured.uniform.max().max(measured.band.max());
-    assert!(max <= 4e-3 * diagonal, "{:.2e}", max / diagonal);
+    let mesh = spot();
+    let (diagonal, distance) = (mesh.bounds.diagonal(), SignedDistance::choose(&mesh, SignChoice::Auto).0);
+    for (asked, profile) in [(4e-3, Profile::Uniform), (5e-3, Profile::Surface)] {
+        let settings = PolynomialSettings { max_error: Some(Target::Relative(asked)), profile, ..Default::default() };
+        let baked = baked(&with_error(2e-3, settings));
+        let max = baked.report.measurement.greatest(profile);
+        assert!(max <= asked * diagonal, "{asked}: {:.2e}", max / diagonal);
+
+        // Where nobody looked before.
+        let field = Field::open(&baked.bytes).expect("a field");
+        let fresh = measure(&field, &distance, &mesh, 100_000, 77).greatest(profile);
+        assert!(fresh <= asked * diagonal, "{asked}: {:.2e} at fresh points", fresh / diagonal);
+    }
 }
 
 #[test]
-fn leaves_keep_a_greatest_error_at_their_corners() {
-    let (mesh, asked) = (spot(), 2.5e-3);
-    let settings = PolynomialSettings { max_error: Some(Target::Relative(asked)), ..PolynomialSettings::default() };
-    let settings = Settings { continuity: Continuity::None, ..with_error(2e-3, settings) };
-    let Layout::Polynomial(polynomial) = &settings.layout else { unreachable!("as set above") };
-    let (diagonal, distance) = (mesh.bounds.diagonal(), SignedDistance::choose(&mesh, settings.sign).0);
-    let octree = PolynomialOctree::build(&distance, &mesh.bounds, &settings, polynomial, diagonal, &Silent);
-
-    let domain = octree.cells.domain;
-    let leaves = octree.cells.leaves().filter(|(_, cell, _)| cell.level < domain.depth);
-    let mut count = 0;
-    for (_, cell, coded) in leaves {
-        let piece = octree.steps.decode(coded);
-        for corner in (0..8).map(octant) {
-            let exact = distance.sample(domain.point(cell.origin + corner * domain.lattice_edge(cell.level))).distance;
-            let error = (piece.evaluate(2.0 * corner.as_dvec3() - 1.0).0 - exact).abs();
-            assert!(error <= asked * diagonal, "{:.2e} at a corner of {:?}", error / diagonal, cell.origin);
-        }
-        count += 1;
-    }
-    assert!(count > 100, "{count} leaves");
+fn a_greatest_error_that_no_leaf_keeps_is_refused() {
+    let asked = PolynomialSettings { max_error: Some(Target::Relative(6e-3)), ..PolynomialSettings::default() };
+    let settings = Settings { max_depth: 4, ..with_error(2e-3, asked) };
+    let Err(BakeError::Unkept(unkept)) = bake(&spot(), &settings, &Silent) else {
+        panic!("a greatest error of 6e-3 in leaves of level 4");
+    };
+    assert!(unkept.error > 5e-3 * spot().bounds.diagonal(), "{unkept}");
 }
 
 #[test]

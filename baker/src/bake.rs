@@ -9,10 +9,10 @@ use crate::grid::{self, Grid};
 use crate::mesh::CheckedMesh;
 use crate::octree::Octree;
 use crate::octree::domain::Domain;
-use crate::polynomial::PolynomialOctree;
+use crate::polynomial::{PolynomialOctree, Unkept};
 use crate::progress::Progress;
 use crate::report::{Report, Stopwatch};
-use crate::settings::{Layout, Settings, SettingsError, Target};
+use crate::settings::{Layout, PolynomialSettings, Settings, SettingsError, Target};
 use crate::verify::{self, CONTRACT_SEED, Measurement};
 use nearfield::Field;
 use nearfield::layout::{self, limit};
@@ -58,6 +58,19 @@ pub enum BakeError {
         /// Bytes of the smallest field.
         smallest: usize,
     },
+    /// The greatest error asked for is too small for the depth.
+    #[error("the largest error cannot be kept: {0}; allow a greater depth or a larger error")]
+    Unkept(#[from] Unkept),
+    /// The greatest error asked for is kept wherever it was looked for, but not at the points of the contract.
+    #[error(
+        "the largest error is {found:e}, more than the {asked:e} asked for; allow a greater depth or a larger error"
+    )]
+    Exceeded {
+        /// What was asked for, mesh units.
+        asked: f64,
+        /// What was measured, mesh units.
+        found: f64,
+    },
     /// The reader rejects what was encoded: a defect of the baker.
     #[error("the baker wrote a field that its own reader rejects ({0}); please report this")]
     Rejected(nearfield::Error),
@@ -88,15 +101,10 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
         target_error: target,
     };
 
-    // 2. Samples, 3. bytes.
-    let Built { mut bytes, leaves_by_level, samples } =
-        build_within_budget(&distance, &mesh.bounds, settings, &provenance, &mut stopwatch, progress)?;
-
-    // 4. The error contract, as the shipping reader answers.
-    stopwatch.stage("verify");
-    let field = accepted(&bytes)?;
-    let measurement = verify::measure(&field, &distance, mesh, settings.samples, CONTRACT_SEED);
-    finish(&mut bytes, settings, &measurement);
+    // 2. Samples, 3. bytes, 4. the error contract, as the shipping reader answers.
+    let measure = |field: &Field<'_>| verify::measure(field, &distance, mesh, settings.samples, CONTRACT_SEED);
+    let (Built { bytes, leaves_by_level, samples }, measurement) =
+        build_and_measure(&distance, &mesh.bounds, settings, &provenance, measure, &mut stopwatch, progress)?;
 
     let report = Report { sign: Some(decision), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
@@ -128,13 +136,10 @@ pub fn bake_function(
         target_error: settings.error.absolute(diagonal),
     };
     let mut stopwatch = Stopwatch::start(progress);
-    let Built { mut bytes, leaves_by_level, samples } =
-        build_within_budget(function, bounds, settings, &provenance, &mut stopwatch, progress)?;
-
-    stopwatch.stage("verify");
-    let field = accepted(&bytes)?;
-    let measurement = verify::measure_function(&field, function, bounds, settings.samples, CONTRACT_SEED);
-    finish(&mut bytes, settings, &measurement);
+    let measure =
+        |field: &Field<'_>| verify::measure_function(field, function, bounds, settings.samples, CONTRACT_SEED);
+    let (Built { bytes, leaves_by_level, samples }, measurement) =
+        build_and_measure(function, bounds, settings, &provenance, measure, &mut stopwatch, progress)?;
     let report = Report { sign: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
 }
@@ -162,6 +167,50 @@ struct Built {
     samples: usize,
 }
 
+/// Shares of the greatest error asked for that the octree keeps where it looks, the next where the points of the contract
+/// find more than was asked all the same.
+const KEPT_SHARES: [f64; 4] = [0.96, 0.9, 0.8, 0.65];
+
+/// Builds a field and measures it, again until it keeps the greatest error asked for.
+fn build_and_measure(
+    function: &dyn FieldFunction,
+    bounds: &Aabb,
+    settings: &Settings,
+    provenance: &Provenance,
+    measure: impl Fn(&Field<'_>) -> Measurement,
+    stopwatch: &mut Stopwatch<'_>,
+    progress: &dyn Progress,
+) -> Result<(Built, Measurement), BakeError> {
+    let mut attempt = |settings: &Settings| -> Result<(Built, Measurement), BakeError> {
+        let mut built = build_within_budget(function, bounds, settings, provenance, stopwatch, progress)?;
+        stopwatch.stage("verify");
+        let measurement = measure(&accepted(&built.bytes)?);
+        finish(&mut built.bytes, settings, &measurement);
+        Ok((built, measurement))
+    };
+    let Layout::Polynomial(PolynomialSettings { max_error: Some(asked), profile, .. }) = settings.layout else {
+        return attempt(settings);
+    };
+    let asked = asked.absolute(provenance.diagonal);
+    let mut found = f64::INFINITY;
+    for share in KEPT_SHARES {
+        let (built, measurement) = attempt(&with_greatest_error(settings, share * asked))?;
+        found = measurement.greatest(profile);
+        if found <= asked {
+            return Ok((built, measurement));
+        }
+    }
+    Err(BakeError::Exceeded { asked, found })
+}
+
+fn with_greatest_error(settings: &Settings, greatest: f64) -> Settings {
+    let mut settings = *settings;
+    if let Layout::Polynomial(polynomial) = &mut settings.layout {
+        polynomial.max_error = Some(Target::Absolute(greatest));
+    }
+    settings
+}
+
 /// Builds once, or as often as it takes to find the least error that fits.
 fn build_within_budget(
     function: &dyn FieldFunction,
@@ -174,14 +223,19 @@ fn build_within_budget(
     let Some(max_bytes) = settings.max_bytes else {
         return build(function, bounds, settings, provenance, stopwatch, progress);
     };
+    let mut failure = None;
     let with_error = |error: f64| {
         let target_error = error * provenance.diagonal;
         let settings = Settings { error: Target::Absolute(target_error), ..*settings };
         let provenance = Provenance { target_error, ..*provenance };
-        build(function, bounds, &settings, &provenance, stopwatch, progress).ok()
+        let built = build(function, bounds, &settings, &provenance, stopwatch, progress);
+        built.map_err(|error| failure = Some(error)).ok()
     };
-    budget::finest_within(usize::try_from(max_bytes).unwrap_or(usize::MAX), with_error, |built| built.bytes.len())
-        .map_err(|TooSmall { smallest }| BakeError::Budget { max_bytes, smallest })
+    let max = usize::try_from(max_bytes).unwrap_or(usize::MAX);
+    budget::finest_within(max, with_error, |built| built.bytes.len()).map_err(|TooSmall { smallest }| match failure {
+        Some(failure) if smallest == usize::MAX => failure,
+        _ => BakeError::Budget { max_bytes, smallest },
+    })
 }
 
 fn build(
@@ -195,7 +249,8 @@ fn build(
     match &settings.layout {
         Layout::Polynomial(polynomial) => {
             stopwatch.stage("octree");
-            let octree = PolynomialOctree::build(function, bounds, settings, polynomial, provenance.diagonal, progress);
+            let octree =
+                PolynomialOctree::build(function, bounds, settings, polynomial, provenance.diagonal, progress)?;
             stopwatch.stage("encode");
             let bytes = encode_polynomial(&octree, provenance)?;
             Ok(Built { bytes, leaves_by_level: octree.leaves_by_level(), samples: octree.samples })

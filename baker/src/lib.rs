@@ -16,6 +16,7 @@ pub mod mesh;
 pub mod morton;
 pub mod octree;
 pub mod output;
+pub mod pareto;
 pub mod picture;
 pub mod polynomial;
 pub mod progress;

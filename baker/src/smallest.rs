@@ -10,20 +10,34 @@ use crate::settings::{
 use crate::verify::Measurement;
 
 /// A kind of grid that is tried.
-struct Kind {
+pub(crate) struct Kind {
+    /// What it is called beside others.
+    pub(crate) name: &'static str,
     order: u8,
     reconstruction: Reconstruction,
     /// The most continuous field that it makes.
-    continuity: Continuity,
+    pub(crate) continuity: Continuity,
     /// Bytes of a sample, all of them `packed32`.
     bytes: u64,
 }
 
 /// Of the packed grids those that took the fewest bytes at equal error, and plain distances.
-const KINDS: [Kind; 3] = [
-    Kind { order: 1, reconstruction: Reconstruction::Hermite, continuity: Continuity::C1, bytes: 4 },
-    Kind { order: 1, reconstruction: Reconstruction::Half, continuity: Continuity::C0, bytes: 4 },
-    Kind { order: 0, reconstruction: Reconstruction::Linear, continuity: Continuity::C0, bytes: 2 },
+pub(crate) const KINDS: [Kind; 3] = [
+    Kind {
+        name: "grid, hermite",
+        order: 1,
+        reconstruction: Reconstruction::Hermite,
+        continuity: Continuity::C1,
+        bytes: 4,
+    },
+    Kind { name: "grid, half", order: 1, reconstruction: Reconstruction::Half, continuity: Continuity::C0, bytes: 4 },
+    Kind {
+        name: "grid, order 0",
+        order: 0,
+        reconstruction: Reconstruction::Linear,
+        continuity: Continuity::C0,
+        bytes: 2,
+    },
 ];
 
 /// Bakes an octree, and each kind of grid that is as continuous with just fewer samples than would fill the octree's
@@ -44,8 +58,7 @@ pub fn bake_smallest(
     let mut best = (octree, *settings);
     for kind in KINDS.iter().filter(|kind| kind.continuity >= settings.continuity) {
         let at = |samples: u16| {
-            let layout = Layout::Grid(kind.settings(samples));
-            let settings = Settings { layout, precision: Precision::Packed32, max_bytes: None, ..*settings };
+            let settings = kind.within(settings, samples);
             let baked = bake(mesh, &settings, progress).ok()?;
             is_no_worse(&baked.report.measurement, &asked).then_some((baked, settings))
         };
@@ -72,14 +85,16 @@ pub fn bake_smallest(
 }
 
 impl Kind {
-    fn settings(&self, samples: u16) -> GridSettings {
-        GridSettings {
+    /// Settings with this kind of grid in place of their layout.
+    pub(crate) fn within(&self, settings: &Settings, samples: u16) -> Settings {
+        let grid = GridSettings {
             resolution: Resolution::Longest(samples),
             order: self.order,
             reconstruction: self.reconstruction,
             sampling: Sampling::Taylor,
             range: RangeScope::Brick,
-        }
+        };
+        Settings { layout: Layout::Grid(grid), precision: Precision::Packed32, max_bytes: None, ..*settings }
     }
 }
 

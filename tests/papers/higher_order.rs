@@ -1,9 +1,9 @@
 //! Valasek and Bán 2022: higher orders and their filters.
 
-use crate::chart::Curve;
 use crate::measure::{Errors, Subject};
 use crate::shapes::{Formula, Shapes, scene_1, scene_2, torus};
 use nearfield::layout::{grid, header, section_entry};
+use nearfield_bake::picture::chart::Curve;
 use nearfield_bake::settings::{FineGrid, GridSettings, Precision, RangeScope, Reconstruction, Resolution, Sampling};
 use std::fmt::Write;
 

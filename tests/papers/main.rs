@@ -4,7 +4,6 @@
 //! `stanford-bunny.obj`, `armadillo.obj`, `horse.ply` and `sponza.obj`; the repository's own Spot stands in for the first
 //! three.
 
-mod chart;
 mod first_order;
 mod higher_order;
 mod measure;
@@ -12,6 +11,7 @@ mod octree;
 mod shapes;
 
 use cpu_time::ProcessTime;
+use nearfield_bake::picture::chart;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 

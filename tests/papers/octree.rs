@@ -1,6 +1,5 @@
 //! Pujol and Chica 2023: adaptive octrees.
 
-use crate::chart::Curve;
 use crate::measure::{beside, number};
 use crate::shapes::{MeshShape, Shapes};
 use cpu_time::ThreadTime;
@@ -10,6 +9,7 @@ use nearfield_bake::bake;
 use nearfield_bake::distance::SignChoice;
 use nearfield_bake::field_function::FieldFunction;
 use nearfield_bake::geometry::Aabb;
+use nearfield_bake::picture::chart::Curve;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::random::Draws;
 use nearfield_bake::settings::{

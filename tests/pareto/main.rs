@@ -3,13 +3,12 @@
 //! `cargo run --release -p conformance --bin pareto -- [MESHES] OUTPUT.md`: MESHES is a folder with `armadillo.obj` and
 //! `fandisk.obj`; without it there is the repository's own Spot. Charts are written beside the table.
 
-#[path = "../papers/chart.rs"]
-mod chart;
 mod dense;
 mod equal_error;
 mod ours;
 mod subject;
 
+use nearfield_bake::picture::chart;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};

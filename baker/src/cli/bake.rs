@@ -4,6 +4,7 @@ use super::arguments::{SignArguments, Threads, bytes, not_negative, positive};
 use super::exit_code::Failure;
 use super::grid_arguments::GridArguments;
 use super::mesh_arguments::MeshArguments;
+use super::pareto_report;
 use super::progress_bar::TerminalProgress;
 use super::{bake_report, files, print, tell, to_json};
 use clap::{Args, FromArgMatches, ValueEnum};
@@ -12,6 +13,7 @@ use nearfield_bake::batch::Asset;
 use nearfield_bake::depfile;
 use nearfield_bake::import;
 use nearfield_bake::mesh::CheckedMesh;
+use nearfield_bake::pareto::{self, Point};
 use nearfield_bake::progress::Progress;
 use nearfield_bake::report::Stopwatch;
 use nearfield_bake::settings::{self, Layout, PolynomialSettings, Settings, Target};
@@ -34,14 +36,20 @@ Examples:
   nearfield bake spot.ply -o tiny.nfd --max-bytes 16K
   nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json
   nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
-  nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed")]
+  nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed
+  nearfield bake spot.ply --pareto curve.json --layout auto")]
 pub(super) struct Bake {
     /// The mesh: OBJ, STL, PLY, OFF, glTF or GLB
     mesh: PathBuf,
 
     /// The field to write; `-` is standard output
-    #[arg(short, long, value_name = "FIELD")]
-    output: PathBuf,
+    #[arg(short, long, value_name = "FIELD", required_unless_present = "pareto")]
+    output: Option<PathBuf>,
+
+    /// Write no field but the curve of size against error in JSON, and a chart beside it: fields at six targets that halve
+    /// down to --error, or at resolutions that double up to --resolution
+    #[arg(long, value_name = "JSON", conflicts_with_all = ["output", "max_bytes", "report", "depfile", "if_changed", "fail_on_doubt"])]
+    pareto: Option<PathBuf>,
 
     /// Error asked of every leaf (root mean square), as a fraction of the diagonal of the mesh's box
     #[arg(long, value_name = "E", value_parser = positive, default_value_t = 5e-4)]
@@ -186,6 +194,15 @@ enum Precision {
 
 impl Bake {
     pub(super) fn run(self) -> Result<(), Failure> {
+        match (&self.output, &self.pareto) {
+            (Some(output), _) => self.field(output),
+            (None, Some(numbers)) => self.curves(numbers),
+            (None, None) => unreachable!("the parser wants one of them"),
+        }
+    }
+
+    /// Bakes one field.
+    fn field(&self, output: &Path) -> Result<(), Failure> {
         let settings = self.settings()?;
         let options = self.reading.read_options()?;
         self.check_outputs()?;
@@ -205,15 +222,15 @@ impl Bake {
 
         // What was asked for.
         if self.if_changed {
-            files::write_bytes_if_changed(&self.output, &baked.bytes)?;
+            files::write_bytes_if_changed(output, &baked.bytes)?;
         } else {
-            files::write_bytes(&self.output, &baked.bytes)?;
+            files::write_bytes(output, &baked.bytes)?;
         }
         if let Some(path) = &self.depfile {
             files::write_bytes(path, self.dependencies()?.as_bytes())?;
         }
         let stages = [reading, baked.report.stages.clone()].concat();
-        let field = files::open_field(&baked.bytes, &self.output)?;
+        let field = files::open_field(&baked.bytes, output)?;
         if let Some(path) = &self.report {
             let report = bake_report::report(&self.mesh, &mesh, &settings, &field, &baked.report, &stages);
             files::write_bytes(path, to_json(&report).as_bytes())?;
@@ -226,12 +243,42 @@ impl Bake {
         if self.quiet {
             return Ok(());
         }
-        let summary = bake_report::summary(&self.mesh, &self.output, &mesh, &field, &baked.report, &stages);
-        if files::is_standard_stream(&self.output) {
+        let summary = bake_report::summary(&self.mesh, output, &mesh, &field, &baked.report, &stages);
+        if files::is_standard_stream(output) {
             tell(&summary);
             return Ok(());
         }
         print(&summary)
+    }
+
+    /// Bakes fields at many targets for the curve of size against error.
+    fn curves(&self, numbers: &Path) -> Result<(), Failure> {
+        let settings = self.settings()?;
+        let options = self.reading.read_options()?;
+        let chart = pareto_report::chart_path(numbers)?;
+        for path in [numbers, &chart] {
+            files::check_output(path, &self.mesh)?;
+        }
+
+        let progress = TerminalProgress::new(self.quiet);
+        let show = |text: &str| if self.quiet { Ok(()) } else { progress.suspend(|| print(text)) };
+        let (mesh, curves) = self.threads.run(|| {
+            let mesh = files::read_mesh(&self.mesh, &options)?;
+            let diagonal = mesh.bounds.diagonal();
+            show(pareto_report::HEADING)?;
+            let mut shown = Ok(());
+            let each = |name: &str, point: &Point| {
+                if shown.is_ok() {
+                    shown = show(&pareto_report::row(name, point, diagonal));
+                }
+            };
+            let curves = pareto::sweep(&mesh, &settings, self.grid.is_auto(), &progress, each);
+            shown?;
+            Ok((mesh, curves.map_err(|error| bake_failure(&error, &self.mesh))?))
+        })?;
+        progress.clear();
+
+        pareto_report::write(numbers, &chart, &self.mesh, &mesh, &curves)
     }
 
     /// The arguments of one asset of a batch, from its flags.
@@ -267,7 +314,7 @@ impl Bake {
     /// Refuses outputs that cannot be written, before work is spent on them.
     fn check_outputs(&self) -> Result<(), Failure> {
         let outputs: Vec<&PathBuf> =
-            [Some(&self.output), self.report.as_ref(), self.depfile.as_ref()].into_iter().flatten().collect();
+            [self.output.as_ref(), self.report.as_ref(), self.depfile.as_ref()].into_iter().flatten().collect();
         for (index, path) in outputs.iter().enumerate() {
             if outputs[..index].contains(path) {
                 return Err(Failure::Usage(format!("two outputs cannot go to the same place, {}", path.display())));
@@ -291,10 +338,10 @@ impl Bake {
 
     /// The text of the dependency file.
     fn dependencies(&self) -> Result<String, Failure> {
-        if self.depfile.is_none() {
+        let (Some(output), Some(_)) = (&self.output, &self.depfile) else {
             return Ok(String::new());
-        }
-        depfile::rule(&self.output, &self.inputs()?).map_err(|error| Failure::Usage(error.to_string()))
+        };
+        depfile::rule(output, &self.inputs()?).map_err(|error| Failure::Usage(error.to_string()))
     }
 
     /// The files that are read: the mesh and what it refers to.
@@ -381,7 +428,9 @@ fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
     match error {
         BakeError::Settings(error) => Failure::Usage(error.to_string()),
         BakeError::Extent { .. } => Failure::Input(format!("{}: {error}", mesh.display())),
-        BakeError::Encode(_) | BakeError::Budget { .. } => Failure::Budget(format!("{}: {error}", mesh.display())),
+        BakeError::Encode(_) | BakeError::Budget { .. } | BakeError::Unkept(_) | BakeError::Exceeded { .. } => {
+            Failure::Budget(format!("{}: {error}", mesh.display()))
+        }
         BakeError::Rejected(_) => Failure::Field(error.to_string()),
     }
 }

@@ -43,20 +43,7 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         let times = error / target;
         warnings.push(format!("the error is {times:.2} times the target; raise --max-depth or the target"));
     }
-    warnings.extend(greatest_error(mesh, settings, &report.measurement));
     warnings
-}
-
-/// When the greatest error asked for was not kept.
-fn greatest_error(mesh: &CheckedMesh, settings: &Settings, measurement: &Measurement) -> Option<String> {
-    let Layout::Polynomial(polynomial) = &settings.layout else { return None };
-    let asked = polynomial.max_error?.absolute(mesh.bounds.diagonal());
-    let found = match polynomial.profile {
-        Profile::Uniform => measurement.uniform.max().max(measurement.band.max()),
-        Profile::Surface => measurement.band.max(),
-    };
-    let times = found / asked;
-    (times > 1.0).then(|| format!("the largest error is {times:.2} times what was asked; ask --max-error for less"))
 }
 
 /// What was done for the sign, to triangles that the file keeps as they are.

@@ -4,6 +4,7 @@ use super::bake_report::BakeReport;
 use super::batch_report::BatchReport;
 use super::diff::DiffReport;
 use super::exit_code::Failure;
+use super::pareto_report::ParetoReport;
 use super::{CommandLine, files, print, to_json};
 use clap::{Args, CommandFactory, Subcommand};
 use clap_complete::Shell;
@@ -37,6 +38,8 @@ enum What {
     },
     /// The JSON Schema of `bake --report`, on standard output
     ReportSchema,
+    /// The JSON Schema of `bake --pareto`, on standard output
+    ParetoSchema,
     /// The JSON Schema of `batch --report`, on standard output
     BatchSchema,
     /// The JSON Schema of `diff --json`, on standard output
@@ -53,6 +56,7 @@ impl Generate {
                 print(&String::from_utf8_lossy(&text))
             }
             What::ReportSchema => print(&to_json(&schemars::schema_for!(BakeReport))),
+            What::ParetoSchema => print(&to_json(&schemars::schema_for!(ParetoReport))),
             What::BatchSchema => print(&to_json(&schemars::schema_for!(BatchReport))),
             What::DiffSchema => print(&to_json(&schemars::schema_for!(DiffReport))),
         }

@@ -18,6 +18,7 @@ mod info;
 mod inspect;
 mod mesh;
 mod mesh_arguments;
+mod pareto_report;
 mod progress_bar;
 mod query;
 mod questions;

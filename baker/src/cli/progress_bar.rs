@@ -22,6 +22,11 @@ impl TerminalProgress {
         Self { bar }
     }
 
+    /// Does something that writes, without the line in its way.
+    pub(super) fn suspend<T>(&self, write: impl FnOnce() -> T) -> T {
+        self.bar.suspend(write)
+    }
+
     /// Removes the line.
     pub(super) fn clear(&self) {
         self.bar.finish_and_clear();

@@ -1,6 +1,7 @@
 //! Pictures of fields, for eyes: nothing here is exact.
 
 mod camera;
+pub mod chart;
 mod colour;
 mod image;
 mod isosurface;

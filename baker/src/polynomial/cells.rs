@@ -2,7 +2,7 @@
 
 use crate::octree::domain::Domain;
 use crate::quantize::piece::Coded;
-use glam::UVec3;
+use glam::{DVec3, UVec3};
 
 /// A cell.
 #[derive(Clone, Debug)]
@@ -45,6 +45,13 @@ impl Cells {
             Content::Leaf(coded) => Some((place, cell, &**coded)),
             Content::Inner(_) => None,
         })
+    }
+
+    /// A point by the coordinates of a cell, from -1 to 1 within it, and half the cell's edge, mesh units.
+    pub fn local(&self, place: usize, point: DVec3) -> (DVec3, f64) {
+        let cell = &self.all[place];
+        let half = 0.5 * self.domain.edge(cell.level);
+        ((point - self.domain.point(cell.origin)) / half - 1.0, half)
     }
 
     /// Visits the leaves whose closed cells meet a closed box of the lattice.

@@ -1,9 +1,9 @@
 //! The cheapest leaf that is good enough.
 
-use super::cells::octant;
 use crate::field_function::Sample;
 use crate::quantize::piece::{Coded, Steps};
 use crate::sampling::cell::{self, Fit, Piece, Stencil};
+use glam::DVec3;
 use nearfield::layout::leaf::{REACH_BITS, SUPPORT_BITS};
 use nearfield::layout::polynomial::MAX_SHAPE_BITS;
 use nearfield::layout::shape::MAX_EXPONENT;
@@ -27,21 +27,36 @@ pub(super) struct Tolerance {
     pub(super) rmse: f64,
     /// Greatest error at a sample.
     pub(super) max: f64,
-    /// Greatest error at a corner of the cell.
-    pub(super) max_at_corners: f64,
+}
+
+/// A point where a leaf has to keep a greatest error.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Check {
+    /// Where, by the coordinates of the leaf: in the cube [-1, 1]³ or a little outside.
+    pub(super) at: DVec3,
+    /// The function there, mesh units.
+    pub(super) distance: f64,
+    /// Greatest error, mesh units.
+    pub(super) within: f64,
+}
+
+impl Check {
+    fn is_kept(&self, piece: &Piece) -> bool {
+        (piece.evaluate(self.at).0 - self.distance).abs() <= self.within
+    }
 }
 
 /// Bits that a leaf may cost more if that lowers its mean square error by as much as the tolerance allows: spent
 /// where they buy most, they save more leaves than they cost (measured: 10 % of the bytes at equal error).
 const WORTH: f64 = 100.0;
 
-/// The leaf that costs least among those within the tolerance; none if there is none. The corners are looked at but not
-/// fitted: they are no part of the mean.
+/// The leaf that costs least among those within the tolerance; none if there is none. What is checked is not fitted: it
+/// is no part of the mean.
 pub(super) fn cheapest(
     stencil: &Stencil,
     steps: &Steps,
     samples: &[Sample],
-    corners: &[Sample],
+    checks: &[Check],
     edge: f64,
     tolerance: Tolerance,
 ) -> Option<Coded> {
@@ -57,18 +72,8 @@ pub(super) fn cheapest(
         let errors = cell::errors(stencil, &piece, samples);
         let is_good = errors.mean_square <= tolerance.rmse * tolerance.rmse && errors.max <= tolerance.max;
         let is_sure = || cell::doubt(stencil, &fits[index].piece, samples, edge) <= MOST_DOUBT * tolerance.max;
-        let is_good_at_corners = || error_at_corners(&piece, corners) <= tolerance.max_at_corners;
-        (is_good && is_good_at_corners() && is_sure()).then_some(coded)
+        (is_good && checks.iter().all(|check| check.is_kept(&piece)) && is_sure()).then_some(coded)
     })
-}
-
-/// The greatest error of a piece at the corners of its cell, x fastest.
-fn error_at_corners(piece: &Piece, corners: &[Sample]) -> f64 {
-    let errors = corners.iter().zip(0..).map(|(sample, index)| {
-        let corner = 2.0 * octant(index).as_dvec3() - 1.0;
-        (piece.evaluate(corner).0 - sample.distance).abs()
-    });
-    errors.fold(0.0, f64::max)
 }
 
 /// The leaf whose error is least, for a cell that cannot be split.

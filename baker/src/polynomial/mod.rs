@@ -5,6 +5,7 @@
 
 pub mod cells;
 mod choose;
+mod keep;
 pub mod overlap;
 mod refine;
 
@@ -18,6 +19,7 @@ use crate::settings::{Continuity, NEAR, PolynomialSettings, Profile, Settings};
 use cells::Cells;
 pub use choose::MAX_BITS;
 use choose::Tolerance;
+pub use keep::Unkept;
 use overlap::Reach;
 use refine::{Demand, Refinement};
 
@@ -27,11 +29,6 @@ use refine::{Demand, Refinement};
 const LEAF_SHARE: f64 = 0.75;
 /// Tolerance of a leaf's greatest error at its samples, in root mean square tolerances, where none is asked for.
 const LEAF_MAX: f64 = 6.0;
-/// Share of the greatest error asked for that a leaf may have at its samples, for the same reason.
-const LEAF_MAX_SHARE: f64 = 0.5;
-/// The same at the corners of its cell, where it is farthest from its samples and the error is greatest. They are
-/// looked at only where a greatest error is asked for.
-const CORNER_MAX_SHARE: f64 = 0.9;
 /// The finest step, as a share of a leaf's tolerance.
 const FINEST_STEP: f64 = 1.0 / 256.0;
 /// Finest steps that the diagonal of the domain may take, in bits: what a constant has, and the largest exponent less
@@ -61,6 +58,9 @@ fn quantum(rmse: f64, domain: &Domain) -> f64 {
 
 impl PolynomialOctree {
     /// Builds the octree of a function around a box. Relative targets are fractions of `diagonal`, mesh units.
+    ///
+    /// # Errors
+    /// [`Unkept`] if the greatest error asked for cannot be kept at the greatest depth.
     pub fn build(
         function: &dyn FieldFunction,
         bounds: &Aabb,
@@ -68,19 +68,15 @@ impl PolynomialOctree {
         polynomial: &PolynomialSettings,
         diagonal: f64,
         progress: &dyn Progress,
-    ) -> Self {
+    ) -> Result<Self, Unkept> {
         let domain = Domain::around(bounds, settings);
         let overlap = match settings.continuity {
             Continuity::None => 0.0,
             Continuity::C0 | Continuity::C1 => f64::from(polynomial.overlap as f32),
         };
         let rmse = LEAF_SHARE * settings.error.absolute(diagonal);
-        let asked = polynomial.max_error.map_or(f64::INFINITY, |max| max.absolute(diagonal));
-        let near = Tolerance {
-            rmse,
-            max: (LEAF_MAX_SHARE * asked).min(LEAF_MAX * rmse),
-            max_at_corners: CORNER_MAX_SHARE * asked,
-        };
+        let greatest = polynomial.max_error.map_or(f64::INFINITY, |max| max.absolute(diagonal));
+        let near = Tolerance { rmse, max: greatest.min(LEAF_MAX * rmse) };
         let constant_within = match polynomial.profile {
             Profile::Uniform => f64::INFINITY,
             Profile::Surface => NEAR * diagonal,
@@ -89,15 +85,18 @@ impl PolynomialOctree {
             function,
             stencil: Stencil::default(),
             steps: Steps::new(quantum(rmse, &domain) as f32),
-            demand: Demand { near, constant_within },
+            demand: Demand { near, greatest, constant_within },
             graded: overlap > 0.0,
             progress,
             samples: 0,
         };
-        let cells = refinement.refine(domain);
+        let mut cells = refinement.refine(domain);
+        if greatest.is_finite() {
+            refinement.keep(&mut cells, overlap)?;
+        }
         let (steps, samples) = (refinement.steps, refinement.samples);
         let reaches = overlap::reaches(&cells);
-        Self { cells, reaches, overlap, steps, samples }
+        Ok(Self { cells, reaches, overlap, steps, samples })
     }
 
     /// Leaves of each level below the root grid.

@@ -1,7 +1,7 @@
 //! How far leaves reach into one another, and what the field is where they do (partition of unity, after
 //! Ohtake et al. 2003).
 
-use super::cells::{Cell, Cells, Content};
+use super::cells::{Cells, Content};
 use crate::quantize::piece::Steps;
 use crate::sampling::cell::Piece;
 use glam::{DVec3, UVec3};
@@ -67,56 +67,72 @@ impl<'a> Blend<'a> {
         Self { cells, reaches, overlap, pieces }
     }
 
+    /// How far leaves reach beyond their cells at most, as a share of the edge.
+    pub fn overlap(&self) -> f64 {
+        self.overlap
+    }
+
     /// Value and gradient at a point of the domain, mesh units.
     pub fn evaluate(&self, point: DVec3) -> (f64, DVec3) {
         let domain = &self.cells.domain;
         let place = (point - domain.origin) / domain.edge(domain.depth);
         let last = domain.lattice_size() - UVec3::ONE;
         let here = place.max(DVec3::ZERO).as_uvec3().min(last);
-        if self.overlap == 0.0 {
-            let mut answer = (0.0, DVec3::ZERO);
-            self.cells.visit_leaves_in(here, here + UVec3::ONE, |index, cell| {
-                let far = cell.origin + domain.lattice_edge(cell.level);
-                if cell.origin.cmple(here).all() && here.cmplt(far).all() {
-                    answer = self.leaf(index, cell, point);
-                }
-            });
-            return answer;
-        }
-
-        // Only leaves that touch the one that holds the point can reach it.
-        let mut holder = (UVec3::ZERO, UVec3::ZERO);
-        self.cells.visit_leaves_in(here, here + UVec3::ONE, |_, cell| {
+        let mut holder = None;
+        self.cells.visit_leaves_in(here, here + UVec3::ONE, |index, cell| {
             let far = cell.origin + domain.lattice_edge(cell.level);
             if cell.origin.cmple(here).all() && here.cmplt(far).all() {
-                holder = (cell.origin, far);
+                holder = Some(index);
             }
         });
+        self.evaluate_among(&self.near(holder.expect("leaves fill the domain")), point)
+    }
+
+    /// A leaf and all others that reach into its cell: of those that touch it, for no other can.
+    pub fn near(&self, leaf: usize) -> Vec<usize> {
+        let mut near = vec![leaf];
+        if self.overlap > 0.0 {
+            self.cells.visit_touching(leaf, |other, _| near.push(other));
+        }
+        near
+    }
+
+    /// The same as [`evaluate`](Self::evaluate), of a point in the cell that these leaves are near to.
+    pub fn evaluate_among(&self, near: &[usize], point: DVec3) -> (f64, DVec3) {
+        if self.overlap == 0.0 {
+            return self.leaf(near[0], point);
+        }
         let (mut sum, mut sum_gradient) = (0.0, DVec3::ZERO);
         let (mut weights, mut weights_gradient) = (0.0, DVec3::ZERO);
-        self.cells.visit_leaves_in(holder.0, holder.1, |index, cell| {
-            let (weight, weight_gradient) = self.weight(index, cell, point);
+        for &leaf in near {
+            let (weight, weight_gradient) = self.weight(leaf, point);
             if weight > 0.0 {
-                let (value, gradient) = self.leaf(index, cell, point);
+                let (value, gradient) = self.leaf(leaf, point);
                 sum += weight * value;
                 sum_gradient += weight * gradient + value * weight_gradient;
                 weights += weight;
                 weights_gradient += weight_gradient;
             }
-        });
+        }
         let value = sum / weights;
         (value, (sum_gradient - value * weights_gradient) / weights)
     }
 
-    fn leaf(&self, index: usize, cell: &Cell, point: DVec3) -> (f64, DVec3) {
-        let half = 0.5 * self.cells.domain.edge(cell.level);
-        let local = (point - self.cells.domain.point(cell.origin)) / half - 1.0;
+    /// Whether a leaf near a point has a say in the answer there.
+    pub fn reaches(&self, leaf: usize, point: DVec3) -> bool {
+        self.overlap == 0.0 || self.weight(leaf, point).0 > 0.0
+    }
+
+    /// What a leaf alone answers anywhere, mesh units.
+    pub fn leaf(&self, index: usize, point: DVec3) -> (f64, DVec3) {
+        let (local, half) = self.cells.local(index, point);
         let (value, gradient) = self.pieces[index].expect("a leaf has a piece").evaluate(local);
         (value, gradient / half)
     }
 
     /// Product of smooth steps over the distance inside along each axis.
-    fn weight(&self, index: usize, cell: &Cell, point: DVec3) -> (f64, DVec3) {
+    fn weight(&self, index: usize, point: DVec3) -> (f64, DVec3) {
+        let cell = &self.cells.all[index];
         let edge = self.cells.domain.edge(cell.level);
         let delta = self.overlap * edge / f64::from(1u32 << self.reaches[index].support);
         let centre = self.cells.domain.point(cell.origin) + 0.5 * edge;

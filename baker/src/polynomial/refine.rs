@@ -19,22 +19,27 @@ const BATCH: usize = 1 << 11;
 pub(super) struct Demand {
     /// Tolerance at the surface.
     pub(super) near: Tolerance,
+    /// Greatest error anywhere, at the surface; infinite if none is asked for.
+    pub(super) greatest: f64,
     /// Farther from the surface than this, tolerances grow with the distance; mesh units.
     pub(super) constant_within: f64,
 }
 
 impl Demand {
-    /// How many corners of a cell are sampled: none if nothing is asked of them.
-    fn corners(&self) -> u32 {
-        if self.near.max_at_corners.is_finite() { 8 } else { 0 }
+    /// The tolerance for a cell with these samples.
+    pub(super) fn of(&self, samples: &[Sample]) -> Tolerance {
+        let nearest = samples.iter().map(|sample| sample.distance.abs()).fold(f64::INFINITY, f64::min);
+        let growth = self.growth(nearest);
+        Tolerance { rmse: growth * self.near.rmse, max: growth * self.near.max }
     }
 
-    /// The tolerance for a cell with these samples.
-    fn of(&self, samples: &[Sample]) -> Tolerance {
-        let nearest = samples.iter().map(|sample| sample.distance.abs()).fold(f64::INFINITY, f64::min);
-        let growth = (nearest / self.constant_within).max(1.0);
-        let Tolerance { rmse, max, max_at_corners } = self.near;
-        Tolerance { rmse: growth * rmse, max: growth * max, max_at_corners: growth * max_at_corners }
+    /// The greatest error at a point this far from the surface, mesh units.
+    pub(super) fn greatest_at(&self, distance: f64) -> f64 {
+        self.growth(distance.abs()) * self.greatest
+    }
+
+    fn growth(&self, distance: f64) -> f64 {
+        (distance / self.constant_within).max(1.0)
     }
 }
 
@@ -60,13 +65,21 @@ impl Refinement<'_> {
         let mut cells = Cells { domain, all: Vec::new() };
         self.append(&mut cells, origins.collect(), 0);
 
-        for level in 1..=domain.depth {
-            self.split_failed(&mut cells, level);
-        }
-        if self.graded {
-            while self.split_leaves_beside_fine_ones(&mut cells) {}
-        }
+        self.complete(&mut cells);
         cells
+    }
+
+    /// Gives every cell that found no leaf its children, and splits leaves that touch too fine ones.
+    pub(super) fn complete(&mut self, cells: &mut Cells) {
+        loop {
+            for level in 1..=cells.domain.depth {
+                self.split_failed(cells, level);
+            }
+            // What is split by force may have children that are not good enough, though rarely.
+            if !(self.graded && self.split_leaves_beside_fine_ones(cells)) {
+                return;
+            }
+        }
     }
 
     /// Splits the cells of the level above that have found no leaf.
@@ -81,7 +94,7 @@ impl Refinement<'_> {
     }
 
     /// Gives cells of one level their children.
-    fn split(&mut self, cells: &mut Cells, parents: &[usize], level: u8) {
+    pub(super) fn split(&mut self, cells: &mut Cells, parents: &[usize], level: u8) {
         let half = cells.domain.lattice_edge(level);
         let mut origins = Vec::with_capacity(8 * parents.len());
         for &place in parents {
@@ -97,25 +110,11 @@ impl Refinement<'_> {
         let domain = cells.domain;
         let edge = domain.edge(level);
         for batch in origins.chunks(BATCH) {
-            let corners = self.demand.corners();
-            let points_of = |origin: UVec3| {
-                let least = domain.point(origin);
-                let corners = (0..corners).map(move |index| least + edge * octant(index).as_dvec3());
-                self.stencil.points_of(least + 0.5 * edge, edge).chain(corners)
-            };
-            let points: Vec<DVec3> = batch.iter().flat_map(|&origin| points_of(origin)).collect();
-            let samples = self.function.sample_all(&points);
-            self.samples += points.len();
-            self.progress.advance(points.len() as u64);
-
+            let points: Vec<DVec3> = batch.iter().flat_map(|&origin| self.points_of(&domain, origin, level)).collect();
+            let samples = self.sample_all(&points);
             let is_last = level == domain.depth;
-            let of_cells = samples.par_chunks(POINTS + corners as usize);
-            let found: Vec<Option<Coded>> = of_cells
-                .map(|samples| {
-                    let (samples, corners) = samples.split_at(POINTS);
-                    self.leaf(samples, corners, edge, is_last)
-                })
-                .collect();
+            let found: Vec<Option<Coded>> =
+                samples.par_chunks(POINTS).map(|samples| self.leaf(samples, edge, is_last)).collect();
             cells.all.extend(batch.iter().zip(found).map(|(&origin, leaf)| Cell {
                 origin,
                 level,
@@ -124,9 +123,22 @@ impl Refinement<'_> {
         }
     }
 
-    fn leaf(&self, samples: &[Sample], corners: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
+    /// Where the function is sampled for a cell, mesh frame.
+    pub(super) fn points_of(&self, domain: &Domain, origin: UVec3, level: u8) -> impl Iterator<Item = DVec3> {
+        let edge = domain.edge(level);
+        self.stencil.points_of(domain.point(origin) + 0.5 * edge, edge)
+    }
+
+    /// Samples the function.
+    pub(super) fn sample_all(&mut self, points: &[DVec3]) -> Vec<Sample> {
+        self.samples += points.len();
+        self.progress.advance(points.len() as u64);
+        self.function.sample_all(points)
+    }
+
+    fn leaf(&self, samples: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
         let tolerance = self.demand.of(samples);
-        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, corners, edge, tolerance);
+        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, &[], edge, tolerance);
         cheapest.or_else(|| is_last.then(|| choose::best(&self.stencil, &self.steps, samples, tolerance)))
     }
 
@@ -144,10 +156,6 @@ impl Refinement<'_> {
         for &place in &too_coarse {
             let level = cells.all[place].level + 1;
             self.split(cells, &[place], level);
-        }
-        // What was split by force may have children that are not good enough, though rarely.
-        for level in 1..=cells.domain.depth {
-            self.split_failed(cells, level);
         }
         !too_coarse.is_empty()
     }

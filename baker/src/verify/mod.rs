@@ -14,6 +14,7 @@ pub use seams::{SeamBound, SeamStatistics};
 use crate::field_function::{FieldFunction, Sample};
 use crate::geometry::Aabb;
 use crate::mesh::CheckedMesh;
+use crate::settings::Profile;
 use glam::DVec3;
 use nearfield::{ErrorContract, ErrorStatistics, Field};
 use rayon::prelude::*;
@@ -113,6 +114,14 @@ fn measure_at(
 }
 
 impl Measurement {
+    /// The largest error where a profile bounds it, mesh units.
+    pub fn greatest(&self, profile: Profile) -> f64 {
+        match profile {
+            Profile::Uniform => self.uniform.max().max(self.band.max()),
+            Profile::Surface => self.band.max(),
+        }
+    }
+
     /// The figures as a file's header stores them.
     pub fn contract(&self) -> ErrorContract {
         let figures = |errors: &ErrorDistribution| ErrorStatistics {

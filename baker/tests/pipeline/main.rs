@@ -4,6 +4,7 @@
 mod batch;
 /// The examples for build systems, with the real tools.
 mod build_systems;
+mod curve;
 /// Kills, full disks, folders in the way.
 mod faults;
 #[path = "../support/mod.rs"]
