@@ -8,8 +8,8 @@ use std::process::ExitCode;
 use nearfield::Field;
 
 const KINDS: &str = "distance, gradient, unblended, row-distance, row-gradient, cursor-distance, cursor-gradient, \
-                     centre-distance, centre-gradient, sorted-gradient, batch-gradient, row-batch-distance, \
-                     row-batch-gradient, sorted-batch-gradient";
+                     centre-distance, centre-gradient, sorted-gradient, batch-distance, batch-gradient, \
+                     row-batch-distance, row-batch-gradient, sorted-batch-gradient";
 
 /// Points of a row across the box, and of a walk about the middle of a leaf.
 const ROW: usize = 1000;
@@ -38,6 +38,7 @@ fn main() -> ExitCode {
         "row-gradient" => every(&rows(&field, count), |point| field.distance_and_gradient(point)),
         "sorted-gradient" => every(&sorted(&field, count), |point| field.distance_and_gradient(point)),
         "sorted-batch-gradient" => batch(&field, &sorted(&field, count), true),
+        "batch-distance" => batch(&field, &scattered(&field, count), false),
         "batch-gradient" => batch(&field, &scattered(&field, count), true),
         "row-batch-distance" => batch(&field, &rows(&field, count), false),
         "row-batch-gradient" => batch(&field, &rows(&field, count), true),
