@@ -1,7 +1,7 @@
 //! How far leaves reach into one another, and what the field is where they do (partition of unity, after
 //! Ohtake et al. 2003).
 
-use super::cells::{Cells, Content};
+use super::cells::{Cell, Cells, Content};
 use crate::quantize::piece::Steps;
 use crate::sampling::cell::Piece;
 use glam::{DVec3, UVec3};
@@ -52,19 +52,35 @@ pub fn reaches(cells: &Cells) -> Vec<Reach> {
 /// The leaves of a field, decoded, for answers in `f64` that take no short cut.
 pub struct Blend<'a> {
     cells: &'a Cells,
-    reaches: &'a [Reach],
     overlap: f64,
     pieces: Vec<Option<Piece>>,
+    supports: Vec<Support>,
+}
+
+/// Where a cell has a say, mesh units: a great leaf has many beside it, of which few have one at any point.
+#[derive(Clone, Copy)]
+struct Support {
+    centre: DVec3,
+    /// Half the edge of the cell.
+    half: f64,
+    /// How far it reaches beyond.
+    beyond: f64,
 }
 
 impl<'a> Blend<'a> {
     /// Decodes all leaves.
-    pub fn new(cells: &'a Cells, reaches: &'a [Reach], overlap: f64, steps: &Steps) -> Self {
+    pub fn new(cells: &'a Cells, reaches: &[Reach], overlap: f64, steps: &Steps) -> Self {
         let mut pieces = vec![None; cells.all.len()];
         for (place, _, coded) in cells.leaves() {
             pieces[place] = Some(steps.decode(coded));
         }
-        Self { cells, reaches, overlap, pieces }
+        let support = |(cell, reach): (&Cell, &Reach)| {
+            let half = 0.5 * cells.domain.edge(cell.level);
+            let beyond = overlap * 2.0 * half / f64::from(1u32 << reach.support);
+            Support { centre: cells.domain.point(cell.origin) + half, half, beyond }
+        };
+        let supports = cells.all.iter().zip(reaches).map(support).collect();
+        Self { cells, overlap, pieces, supports }
     }
 
     /// How far leaves reach beyond their cells at most, as a share of the edge.
@@ -132,16 +148,16 @@ impl<'a> Blend<'a> {
 
     /// Product of smooth steps over the distance inside along each axis.
     fn weight(&self, index: usize, point: DVec3) -> (f64, DVec3) {
-        let cell = &self.cells.all[index];
-        let edge = self.cells.domain.edge(cell.level);
-        let delta = self.overlap * edge / f64::from(1u32 << self.reaches[index].support);
-        let centre = self.cells.domain.point(cell.origin) + 0.5 * edge;
+        let Support { centre, half, beyond } = self.supports[index];
+        let offset = point - centre;
+        if offset.abs().max_element() >= half + beyond {
+            return (0.0, DVec3::ZERO);
+        }
         let (mut steps, mut slopes) = ([0.0; 3], [0.0; 3]);
         for axis in 0..3 {
-            let offset = point[axis] - centre[axis];
-            let t = (0.5 + (0.5 * edge - offset.abs()) / (2.0 * delta)).clamp(0.0, 1.0);
+            let t = (0.5 + (half - offset[axis].abs()) / (2.0 * beyond)).clamp(0.0, 1.0);
             steps[axis] = t * t * (3.0 - 2.0 * t);
-            slopes[axis] = -offset.signum() * 6.0 * t * (1.0 - t) / (2.0 * delta);
+            slopes[axis] = -offset[axis].signum() * 6.0 * t * (1.0 - t) / (2.0 * beyond);
         }
         let gradient = DVec3::new(
             slopes[0] * steps[1] * steps[2],
