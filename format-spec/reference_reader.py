@@ -6,7 +6,8 @@ Section numbers refer to SPEC.md. Needs Python 3.9 and nothing else.
 
     reference_reader.py check FILE...                    one line a file: "valid", or the name of the rule it breaks (§13)
     reference_reader.py query FILE POINTS.f32 OUT.f32    three f32 a point; distance, gradient, what another reader may
-                                                         differ by in the two: six f32 an answer
+                                                         differ by in the two: six f32 an answer; a number after
+                                                         these is the level of detail (§4.2)
     reference_reader.py expect FILE...                   points and answers, as stored beside the vectors, in JSON
 """
 
@@ -73,6 +74,7 @@ MIN_ROOT_EDGE = 2.0**-40
 MIN_QUANTUM = 2.0**-80
 BOX_TOLERANCE = 2.0**-20
 MAX_SECTIONS = 16
+MAX_LODS = 8
 MAX_DEPTH = 16
 MAX_LATTICE = 1048576
 MIN_BASE = -134217728
@@ -136,7 +138,9 @@ def open_field(data):
     """Opens a file (§1.5): the field that it holds, which answers queries."""
     sections, bounds, family = read_container(data)
     require(family in FAMILIES, "Family")
-    return FAMILIES[family](sections, *bounds)
+    field = FAMILIES[family](sections, *bounds)
+    field.header = data[:HEADER_LENGTH]
+    return field
 
 
 def read_container(data):
@@ -176,6 +180,36 @@ def read_container(data):
         sections[kind] = (data[offset:end], checksum)
     require(end == len(data), "SectionTable")
     return sections, (box_min, box_max), family
+
+
+# ---- §4.2 Levels of detail -------------------------------------------------------------------------------------------
+
+
+def levels_of(field):
+    """The bytes of each level, from level 1 to the coarsest."""
+    data, levels = field.sections.get(b"LODS", (b"", 0))[0], []
+    while data:
+        require(len(data) >= HEADER_LENGTH and len(levels) < MAX_LODS, "LodLength")
+        (length,) = struct.unpack_from("<I", data, 12)
+        require(HEADER_LENGTH <= length <= len(data), "LodLength")
+        levels.insert(0, data[:length])
+        data = data[length:]
+    return levels
+
+
+def validate(field):
+    """All that makes a file valid."""
+    field.validate()
+    if b"LODS" not in field.sections:
+        return
+    levels = [open_field(data) for data in levels_of(field)]
+    require(levels, "LodLength")
+    for finer, level in zip([field] + levels, levels):
+        level.validate()
+        same = level.header[16] == field.header[16] and level.header[48:52] == field.header[48:52]
+        require(same and b"LODS" not in level.sections, "LodHeader")
+        targets = [struct.unpack_from("<f", each.header, 52)[0] for each in (finer, level)]
+        require(targets[0] < targets[1], "LodOrder")
 
 
 # ---- §9 Queries of either family -------------------------------------------------------------------------------------
@@ -1088,15 +1122,18 @@ def read_bytes(path):
 
 def verdict(path):
     try:
-        open_field(read_bytes(path)).validate()
+        validate(open_field(read_bytes(path)))
         return "valid"
     except Invalid as error:
         return str(error)
 
 
-def query(field_path, points_path, out_path):
+def query(field_path, points_path, out_path, level="0"):
     field = open_field(read_bytes(field_path))
-    field.validate()
+    validate(field)
+    if int(level) > 0:
+        field = open_field(levels_of(field)[int(level) - 1])
+        field.validate()
     with open(out_path, "wb") as out:
         for point in struct.iter_unpack("<3f", read_bytes(points_path)):
             distance, gradient = field.distance_and_gradient(point)
@@ -1135,7 +1172,7 @@ def chosen_points(field):
 def expectation(path):
     """The answers at chosen points; what JSON cannot say is a string."""
     field = open_field(read_bytes(path))
-    field.validate()
+    validate(field)
 
     def numbers(values):
         return [float(x) if math.isfinite(x) else str(float(x)) for x in values]
@@ -1156,7 +1193,7 @@ def main(arguments):
     if command == "check" and paths:
         for path in paths:
             print(verdict(path), path)
-    elif command == "query" and len(paths) == 3:
+    elif command == "query" and len(paths) in (3, 4):
         query(*paths)
     elif command == "expect" and paths:
         for path in paths:

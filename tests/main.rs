@@ -18,6 +18,8 @@ mod determinism;
 mod distance;
 /// Grids answer as the papers say, whatever their order, reconstruction and precision.
 mod grids;
+/// Levels of detail are fields, cost little, and are there before the rest of the file.
+mod lods;
 /// An octree of polynomials is the blend of its leaves, which has no seams.
 mod polynomials;
 /// The gradient is the derivative of the value, and the Lipschitz bound holds.

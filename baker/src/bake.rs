@@ -106,7 +106,14 @@ pub fn bake(mesh: &CheckedMesh, settings: &Settings, progress: &dyn Progress) ->
     let (Built { bytes, leaves_by_level, samples }, measurement) =
         build_and_measure(&distance, &mesh.bounds, settings, &provenance, measure, &mut stopwatch, progress)?;
 
-    let report = Report { sign: Some(decision), leaves_by_level, samples, measurement, stages: stopwatch.stop() };
+    let report = Report {
+        sign: Some(decision),
+        leaves_by_level,
+        samples,
+        measurement,
+        lods_left_out: 0,
+        stages: stopwatch.stop(),
+    };
     Ok(Baked { bytes, report })
 }
 
@@ -140,12 +147,13 @@ pub fn bake_function(
         |field: &Field<'_>| verify::measure_function(field, function, bounds, settings.samples, CONTRACT_SEED);
     let (Built { bytes, leaves_by_level, samples }, measurement) =
         build_and_measure(function, bounds, settings, &provenance, measure, &mut stopwatch, progress)?;
-    let report = Report { sign: None, leaves_by_level, samples, measurement, stages: stopwatch.stop() };
+    let report =
+        Report { sign: None, leaves_by_level, samples, measurement, lods_left_out: 0, stages: stopwatch.stop() };
     Ok(Baked { bytes, report })
 }
 
 /// The field, as the shipping reader accepts it.
-fn accepted(bytes: &[u8]) -> Result<Field<'_>, BakeError> {
+pub(crate) fn accepted(bytes: &[u8]) -> Result<Field<'_>, BakeError> {
     Field::open(bytes).and_then(|field| field.validate().map(|()| field)).map_err(BakeError::Rejected)
 }
 

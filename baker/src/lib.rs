@@ -12,6 +12,7 @@ pub mod geometry;
 pub mod grid;
 pub mod import;
 pub mod inspect;
+pub mod lod;
 pub mod mesh;
 pub mod morton;
 pub mod octree;

@@ -17,6 +17,8 @@ pub struct Report {
     pub samples: usize,
     /// What the finished field is worth.
     pub measurement: Measurement,
+    /// Levels of detail that were asked for and would have taken too many bytes.
+    pub lods_left_out: usize,
     /// The stages in order.
     pub stages: Vec<Stage>,
 }

@@ -24,6 +24,14 @@ impl Target {
         }
     }
 
+    /// The target so many times as large.
+    pub fn times(self, times: f64) -> Self {
+        match self {
+            Self::Relative(fraction) => Self::Relative(times * fraction),
+            Self::Absolute(error) => Self::Absolute(times * error),
+        }
+    }
+
     fn number(self) -> f64 {
         let (Self::Relative(number) | Self::Absolute(number)) = self;
         number

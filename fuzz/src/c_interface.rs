@@ -35,11 +35,31 @@ pub fn c_interface(bytes: &[u8]) {
 
     let points: Vec<[f32; 3]> = points(&field, &bytes).collect();
     one_by_one(&handle, &field, &points);
+    levels(&handle, &field, &points);
     in_batches(&handle, &field, &points, &bytes);
 }
 
 fn bits(numbers: impl Into<[f32; 3]>) -> [u32; 3] {
     numbers.into().map(f32::to_bits)
+}
+
+/// Levels of detail, and one more than there are.
+fn levels(handle: &NearfieldField, field: &Field<'_>, points: &[[f32; 3]]) {
+    let count = nearfield_lod_count(Some(handle));
+    assert_eq!(count, field.lod_count());
+    for number in 0..=count {
+        let mut level = *handle;
+        let place: *mut NearfieldField = &mut level;
+        // SAFETY: a handle, and room for one in the same place.
+        let result = unsafe { nearfield_lod(place, place, number) };
+        match field.lod(number) {
+            Some(expected) => one_by_one(&level, &expected, points),
+            None => {
+                assert_eq!(result, NearfieldResult::NoLod);
+                assert!(nearfield_distance(Some(&level), [0.0; 3].into()).is_nan(), "a level that there is not answers");
+            }
+        }
+    }
 }
 
 fn one_by_one(handle: &NearfieldField, field: &Field<'_>, points: &[[f32; 3]]) {

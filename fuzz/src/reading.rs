@@ -20,6 +20,7 @@ pub fn structure_aware(bytes: &[u8]) {
     if let Ok(field) = Field::open(bytes) {
         let is_valid = field.validate().is_ok();
         let leaves = query(&field, bytes);
+        levels(&field, bytes, is_valid);
         let octree = field.octree().map(|octree| octree.leaf_count());
         let polynomials = field.polynomial_octree().map(|octree| octree.leaf_count());
         if let Some(leaf_count) = octree.or(polynomials)
@@ -61,6 +62,19 @@ pub fn validate_then_query(bytes: &[u8]) {
     if let Some(octree) = field.polynomial_octree() {
         let leaves = octree.leaves().take(MOST_LEAVES);
         leaves.for_each(|leaf| check(leaf, octree.leaf_at(leaf.cell), octree.lattice()));
+    }
+}
+
+/// Levels of detail are fields like any other, in whichever way they are found.
+fn levels(field: &Field<'_>, bytes: &[u8], is_valid: bool) {
+    let coarser = (1..field.lod_count()).filter_map(|level| field.lod(level));
+    let count = coarser.inspect(|level| drop(query(level, bytes))).count();
+    assert!(!is_valid || count + 1 == field.lod_count(), "levels of a valid file");
+    assert!(field.lod(field.lod_count()).is_none(), "more levels than there are");
+    for length in [bytes.len() / 4, bytes.len() / 2, bytes.len() - 1] {
+        if let Ok(level) = Field::open_prefix(&bytes[..length]) {
+            query(&level, bytes);
+        }
     }
 }
 

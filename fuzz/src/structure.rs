@@ -1,7 +1,7 @@
 //! Changes to a file that know where its words are, and checksums that follow.
 
 use nearfield::crc32c;
-use nearfield::layout::{header, node, section_entry};
+use nearfield::layout::{header, node, section, section_entry};
 use std::ops::Range;
 
 /// Numbers without pattern: xorshift (Marsaglia 2003).
@@ -56,6 +56,10 @@ pub fn mutate(bytes: &mut [u8], length: usize, choices: &mut Choices) -> usize {
         change_word(&mut bytes[16..header::LENGTH], choices);
         return length;
     };
+    if is_kind(bytes, entry, section::LODS) && choices.below(8) > 0 {
+        change_level(&mut bytes[range], choices);
+        return length;
+    }
     if choices.below(8) > 0 || range.len() < 64 {
         change_word(&mut bytes[range], choices);
         return length;
@@ -82,6 +86,20 @@ pub fn mutate(bytes: &mut [u8], length: usize, choices: &mut Choices) -> usize {
     new_length
 }
 
+/// Changes a word of a section of one of the levels of detail, or of its header.
+fn change_level(levels: &mut [u8], choices: &mut Choices) {
+    let mut files = files(levels);
+    if files.is_empty() {
+        return change_word(levels, choices);
+    }
+    let file = files.swap_remove(choices.below(files.len()));
+    let level = &mut levels[file];
+    let mut ranges: Vec<Range<usize>> = sections(level).into_iter().map(|(_, range)| range).collect();
+    ranges.push(16..header::LENGTH);
+    let range = ranges.swap_remove(choices.below(ranges.len()));
+    change_word(&mut level[range], choices);
+}
+
 fn change_word(bytes: &mut [u8], choices: &mut Choices) {
     let words = bytes.as_chunks_mut::<4>().0;
     if words.is_empty() {
@@ -101,8 +119,18 @@ fn change_word(bytes: &mut [u8], choices: &mut Choices) {
     words[at] = changed.to_le_bytes();
 }
 
-/// Makes the length and the checksums of whatever looks like a header and a table right.
+/// Makes the length and the checksums of whatever looks like a header and a table right, in levels of detail too.
 pub fn repair(bytes: &mut [u8]) {
+    for (entry, range) in sections(bytes) {
+        if is_kind(bytes, entry, section::LODS) {
+            let levels = &mut bytes[range];
+            files(levels).into_iter().for_each(|file| repair_alone(&mut levels[file]));
+        }
+    }
+    repair_alone(bytes);
+}
+
+fn repair_alone(bytes: &mut [u8]) {
     let sections = sections(bytes);
     if sections.is_empty() {
         return;
@@ -133,6 +161,25 @@ fn sections(bytes: &[u8]) -> Vec<(usize, Range<usize>)> {
         (start >= table_end && range.end <= bytes.len()).then_some((entry, range))
     };
     (header::LENGTH..table_end).step_by(section_entry::LENGTH).filter_map(section).collect()
+}
+
+/// Whether an entry of the table is of a section of this kind.
+fn is_kind(bytes: &[u8], entry: usize, kind: u32) -> bool {
+    bytes[entry..][section_entry::KIND] == kind.to_le_bytes()
+}
+
+/// The files of levels of detail, each as long as its header says.
+fn files(levels: &[u8]) -> Vec<Range<usize>> {
+    let (mut files, mut start) = (Vec::new(), 0);
+    while let Some(length) = levels.get(start + header::FILE_LENGTH.start..start + header::FILE_LENGTH.end) {
+        let end = start.saturating_add(u32::from_le_bytes(length.try_into().expect("a word")) as usize);
+        if end < start + header::LENGTH || end > levels.len() {
+            break;
+        }
+        files.push(start..end);
+        start = end;
+    }
+    files
 }
 
 fn sections_announced(bytes: &[u8]) -> usize {

@@ -39,6 +39,12 @@ pub enum Error {
     SectionMissing,
     /// The checksum of a section does not match (§4).
     SectionChecksum,
+    /// The levels of detail are none, too many, or do not tile their section (§4.2).
+    LodLength,
+    /// A level of detail is of another family or diagonal, or has levels of its own (§4.2).
+    LodHeader,
+    /// A level of detail is not coarser than the next (§4.2).
+    LodOrder,
     /// The section of octree parameters has the wrong length (§5).
     OctreeLength,
     /// The root grid is empty, or the lattice or the tree too large (§5.1).
@@ -132,6 +138,9 @@ impl Error {
             Self::SectionDuplicate => "two sections are of the same kind",
             Self::SectionMissing => "a required section is missing",
             Self::SectionChecksum => "the checksum of a section does not match",
+            Self::LodLength => "the levels of detail are none, too many, or do not tile their section",
+            Self::LodHeader => "a level of detail is not one of this field",
+            Self::LodOrder => "a level of detail is not coarser than the next",
             Self::OctreeLength => "the octree parameters have the wrong length",
             Self::OctreeLattice => "the root grid is empty or the octree too large",
             Self::Interpolant => "the interpolant is unknown",

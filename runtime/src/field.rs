@@ -8,7 +8,7 @@ use crate::octree::Octree;
 use crate::polynomial_octree::PolynomialOctree;
 use crate::representation::{Any, Kind, Representation};
 use crate::section::{self, Sections};
-use crate::{march, math, validate};
+use crate::{lod, march, math, validate};
 
 /// A signed distance field in borrowed bytes.
 ///
@@ -34,6 +34,20 @@ impl<'a> Field<'a> {
     /// The first rule of `SPEC.md` §3 to §5, §11 and §12 that the bytes break.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         open(bytes, None)
+    }
+
+    /// Opens the finest [level of detail](Field::lod) that is whole in the first bytes of a file, or the field itself once
+    /// these are all its bytes: what a program can ask while the rest still arrives.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Truncated`] while there is none yet; otherwise those of [`open`](Self::open).
+    pub fn open_prefix(bytes: &'a [u8]) -> Result<Self, Error> {
+        if header::whole_length(bytes)? <= bytes.len() {
+            return Self::open(bytes);
+        }
+        header::check_intact(bytes)?;
+        lod::levels(bytes).last().map_or(Err(Error::Truncated), Self::open)
     }
 
     /// The octree, for those who walk its leaves; `None` for another family.
@@ -110,14 +124,55 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         self.shape
     }
 
-    /// Checks every byte against the format, in time proportional to the file and without memory.
+    /// Checks every byte against the format, those of levels of detail too, in time proportional to the file and without
+    /// memory.
     ///
     /// # Errors
     ///
     /// The first rule of `SPEC.md` §4 to §8, §11 and §12 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
+        self.validate_alone()?;
+        for level in lod::levels(self.bytes) {
+            open::<R>(level, None)?.validate_alone()?;
+        }
+        lod::check(self.bytes)
+    }
+
+    /// Checks all but what is in levels of detail.
+    fn validate_alone(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
         self.shape.validate(self.bytes)
+    }
+
+    /// The field at a level of detail: 0 is the field itself, 1 the next coarser, and so on.
+    ///
+    /// A level is a field of its own: of the same shape, in the same frame and units, with every query, and with its own box
+    /// and [error contract](Self::contract). It is opened as [`Field::open`] opens a file: ask for it once, then query it.
+    ///
+    /// `None` if there is no such level, or if it is damaged, which [`validate`](Self::validate) would have told.
+    pub fn lod(&self, level: usize) -> Option<Self> {
+        if level == 0 {
+            return Some(*self);
+        }
+        let family = header::family_of(self.bytes).ok();
+        open(lod::level(self.bytes, level)?, family).ok()
+    }
+
+    /// How many levels of detail there are, the field itself among them: at least 1.
+    pub fn lod_count(&self) -> usize {
+        1 + lod::levels(self.bytes).count()
+    }
+
+    /// The coarsest [level of detail](Self::lod) whose largest measured error is at most `max_error`, mesh units; the field
+    /// itself if there is none.
+    pub fn lod_within(&self, max_error: f32) -> Self {
+        let mut levels = (1..self.lod_count()).rev().filter_map(|level| self.lod(level));
+        levels.find(|level| level.contract().max_error() <= max_error).unwrap_or(*self)
+    }
+
+    /// The bytes of the file; of a level of detail its part of them, which is a file too.
+    pub fn bytes(&self) -> &'a [u8] {
+        self.bytes
     }
 
     /// Signed distance from a point to the surface: mesh units, negative inside.

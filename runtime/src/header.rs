@@ -110,9 +110,9 @@ impl ErrorContract {
     }
 }
 
-/// Checks the header and the section table, all but the contents of the sections (SPEC.md §3, §4).
-pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
-    // A file of another format or version is told apart before anything else is believed.
+/// How long the whole file is whose first bytes these are: a file of another format or version is told apart before
+/// anything else is believed (SPEC.md §3.1 to §3.3).
+pub(crate) fn whole_length(bytes: &[u8]) -> Result<usize, Error> {
     if bytes.len() < MAGIC.len() || !bytes.starts_with(&MAGIC) {
         return Err(if MAGIC.starts_with(bytes) { Error::Truncated } else { Error::Magic });
     }
@@ -122,16 +122,22 @@ pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
     if u16_at(bytes, at::VERSION_MAJOR) != VERSION_MAJOR || u16_at(bytes, at::VERSION_MINOR) > VERSION_MINOR {
         return Err(Error::Version);
     }
-    if u32_at(bytes, at::FILE_LENGTH) as usize != bytes.len() {
-        return Err(Error::FileLength);
-    }
+    Ok(u32_at(bytes, at::FILE_LENGTH) as usize)
+}
 
-    // The rest may be read only if it is what the writer wrote.
+/// Checks that the header and the section table are what the writer wrote: the rest may be read only if they are (§3.4).
+pub(crate) fn check_intact(bytes: &[u8]) -> Result<(), Error> {
     let table = section::table_bytes(bytes)?;
     let header = bytes.get(..at::LENGTH).unwrap_or(&[]);
-    if checksum(header, table) != u32_at(bytes, at::CHECKSUM) {
-        return Err(Error::HeaderChecksum);
+    if checksum(header, table) == u32_at(bytes, at::CHECKSUM) { Ok(()) } else { Err(Error::HeaderChecksum) }
+}
+
+/// Checks the header and the section table, all but the contents of the sections (SPEC.md §3, §4).
+pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
+    if whole_length(bytes)? != bytes.len() {
+        return Err(Error::FileLength);
     }
+    check_intact(bytes)?;
     if u8_at(bytes, at::RESERVED) != 0 {
         return Err(Error::Reserved);
     }

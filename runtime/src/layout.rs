@@ -96,6 +96,8 @@ pub mod section_entry {
 
 /// Most entries that a section table may hold.
 pub const MAX_SECTIONS: usize = 16;
+/// Most levels of detail beside the field itself.
+pub const MAX_LODS: usize = 8;
 
 /// Limits that keep the arithmetic of every query within the range of `f32`.
 pub mod limit {
@@ -157,6 +159,8 @@ pub mod section {
     pub const RECORDS: u32 = u32::from_le_bytes(*b"TREE");
     /// Leaves of a polynomial octree.
     pub const LEAVES: u32 = u32::from_le_bytes(*b"LEAF");
+    /// Levels of detail: whole files of coarser fields.
+    pub const LODS: u32 = u32::from_le_bytes(*b"LODS");
 }
 
 /// Byte ranges within the section of octree parameters.

@@ -66,6 +66,7 @@ mod lattice;
 pub mod layout;
 mod leaf;
 mod legendre;
+mod lod;
 mod march;
 mod math;
 mod octree;

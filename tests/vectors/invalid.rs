@@ -4,6 +4,7 @@
 
 use super::invalid_grids;
 use super::invalid_polynomials;
+use super::lods;
 use super::samples::{Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
 use super::valid::three_levels;
 use super::writer::{Cell, File, Octree, TRICUBIC, TRILINEAR, entry, put, seal};
@@ -25,7 +26,8 @@ pub(crate) fn all() -> Vec<Invalid> {
     nodes(&mut vectors);
     blocks(&mut vectors);
     sample_data(&mut vectors);
-    for (name, error, file) in invalid_grids::all().into_iter().chain(invalid_polynomials::all()) {
+    let families = invalid_grids::all().into_iter().chain(invalid_polynomials::all());
+    for (name, error, file) in families.chain(lods::invalid()) {
         vectors.add(&name, error, file.bytes());
     }
     vectors.0

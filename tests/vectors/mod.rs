@@ -7,6 +7,7 @@ mod grid;
 pub(crate) mod invalid;
 mod invalid_grids;
 mod invalid_polynomials;
+mod lods;
 pub(crate) mod polynomial;
 pub(crate) mod samples;
 pub(crate) mod valid;

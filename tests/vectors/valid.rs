@@ -1,5 +1,6 @@
 //! Files that every reader must accept, most of which the baker would never write.
 
+use super::lods;
 use super::samples::{ALL, Block, CENTRE, F16, F32, PACKED32, PARENT_CORNERS, Random};
 use super::valid_grids;
 use super::valid_polynomials;
@@ -46,7 +47,7 @@ pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
     }
 
     // Trees.
-    add("three_levels", octree(TRICUBIC, three_levels(), Like::default(), 9).file());
+    add("three_levels", octree_of_three_levels().file());
     add("samples_that_no_leaf_needs", samples_that_no_leaf_needs().file());
     add("deepest_tree", octree(TRICUBIC, vec![chain(16)], Like::default(), 11).file());
     add("root_grid", Octree { root_cells: [3, 2, 2], ..octree(TRICUBIC, vec![Cell::Leaf; 12], small(), 12) }.file());
@@ -86,7 +87,7 @@ pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
     many.sections.extend((0..13).map(|index| ([b'X', b'0', b'0', b'A' + index], vec![index; 4])));
     add("sixteen_sections", many);
 
-    for (name, file) in valid_grids::all().into_iter().chain(valid_polynomials::all()) {
+    for (name, file) in valid_grids::all().into_iter().chain(valid_polynomials::all()).chain(lods::valid()) {
         add(&name, file);
     }
 
@@ -121,8 +122,12 @@ fn octree(interpolant: u8, roots: Vec<Cell>, like: Like, seed: u64) -> Octree {
     })
 }
 
-fn octree_of_one_leaf() -> Octree {
+pub(super) fn octree_of_one_leaf() -> Octree {
     octree(TRICUBIC, vec![Cell::Leaf], Like::default(), 1)
+}
+
+pub(super) fn octree_of_three_levels() -> Octree {
+    octree(TRICUBIC, three_levels(), Like::default(), 9)
 }
 
 /// A leaf, a cell of eight leaves, and one of seven leaves and eight smaller ones.

@@ -1,10 +1,13 @@
 //! Arguments that several commands share, and the checks of their values.
 
 use super::exit_code::Failure;
+use super::files;
 use clap::{Args, ValueEnum};
+use nearfield::Field;
 use nearfield_bake::distance::{SignChoice, SignMethod};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZeroUsize;
+use std::path::Path;
 use std::str::FromStr;
 
 /// How many threads work.
@@ -28,6 +31,28 @@ impl Threads {
             .num_threads(threads)
             .build()
             .map_err(|error| Failure::Usage(format!("cannot start {threads} threads ({error}): ask for fewer")))
+    }
+}
+
+/// Which level of detail of a field.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct LevelOfDetail {
+    /// Level of detail: 0 is the field itself, 1 the next coarser, and so on
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    lod: usize,
+}
+
+impl LevelOfDetail {
+    /// That level of the field in these bytes, everything about them checked.
+    pub(super) fn open<'a>(self, bytes: &'a [u8], path: &Path) -> Result<Field<'a>, Failure> {
+        let field = files::open_field(bytes, path)?;
+        field.lod(self.lod).ok_or_else(|| {
+            let (path, coarsest) = (path.display(), field.lod_count() - 1);
+            Failure::Usage(match coarsest {
+                0 => format!("{path} has no levels of detail: leave --lod away, or bake it with --lods"),
+                _ => format!("{path} has no level of detail {}: its coarsest is {coarsest}", self.lod),
+            })
+        })
     }
 }
 

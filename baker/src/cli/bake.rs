@@ -8,10 +8,11 @@ use super::pareto_report;
 use super::progress_bar::TerminalProgress;
 use super::{bake_report, files, print, tell, to_json};
 use clap::{Args, FromArgMatches, ValueEnum};
-use nearfield::layout::octree::MAX_DEPTH;
+use nearfield::layout::{MAX_LODS, octree::MAX_DEPTH};
 use nearfield_bake::batch::Asset;
 use nearfield_bake::depfile;
 use nearfield_bake::import;
+use nearfield_bake::lod;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::pareto::{self, Point};
 use nearfield_bake::progress::Progress;
@@ -34,6 +35,7 @@ Examples:
   nearfield bake part.obj -o part.nfd --error-abs 0.05 --precision f16
   nearfield bake spot.ply -o small.nfd --error 1e-3 --profile surface
   nearfield bake spot.ply -o tiny.nfd --max-bytes 16K
+  nearfield bake spot.ply -o spot.nfd --lods 2
   nearfield bake soup.obj -o soup.nfd --sign winding --report soup.json
   nearfield bake spot.ply -o spot.nfd --layout grid --resolution 64 --reconstruction half
   nearfield bake spot.ply -o spot.nfd --depfile spot.d --if-changed
@@ -48,7 +50,7 @@ pub(super) struct Bake {
 
     /// Write no field but the curve of size against error in JSON, and a chart beside it: fields at six targets that halve
     /// down to --error, or at resolutions that double up to --resolution
-    #[arg(long, value_name = "JSON", conflicts_with_all = ["output", "max_bytes", "report", "depfile", "if_changed", "fail_on_doubt"])]
+    #[arg(long, value_name = "JSON", conflicts_with_all = ["output", "max_bytes", "report", "depfile", "if_changed", "fail_on_doubt", "lods"])]
     pareto: Option<PathBuf>,
 
     /// Error asked of every leaf (root mean square), as a fraction of the diagonal of the mesh's box
@@ -62,6 +64,11 @@ pub(super) struct Bake {
     /// Bytes that the field may take, as 65536, 64K or 2M; the error is then the least that fits
     #[arg(long, value_name = "N", value_parser = bytes, conflicts_with_all = ["error", "error_abs"])]
     max_bytes: Option<u64>,
+
+    /// Levels of detail: coarser fields within the file, each of four times the error of the one before it; together they
+    /// take at most a fifth of the field's bytes, and those that do not fit are left out
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(..=MAX_LODS as i64), default_value_t = 0)]
+    lods: u8,
 
     /// What stays continuous where leaves meet [default: c1; c0 for trilinear leaves]
     #[arg(long, value_enum, value_name = "C")]
@@ -308,7 +315,10 @@ impl Bake {
         } else {
             bake(mesh, settings, progress).map(|baked| (baked, *settings))
         };
-        baked.map_err(|error| bake_failure(&error, &self.mesh))
+        let coarser = |settings: &Settings| bake(mesh, settings, progress);
+        baked
+            .and_then(|(baked, chosen)| Ok((lod::add_levels(baked, &chosen, self.lods, coarser)?, chosen)))
+            .map_err(|error| bake_failure(&error, &self.mesh))
     }
 
     /// Refuses outputs that cannot be written, before work is spent on them.
@@ -352,8 +362,9 @@ impl Bake {
     /// Hash of everything in these arguments that decides the bytes of the field.
     pub(super) fn hash(&self) -> Result<[u8; 8], Failure> {
         let mut settings = self.settings()?.hash();
-        // The same settings, with more tried beside them.
+        // The same settings, with more tried beside them, or more baked in front.
         settings[0] ^= u8::from(self.grid.is_auto());
+        settings[1] ^= self.lods;
         Ok(self.reading.read_options()?.hash_onto(settings))
     }
 
@@ -371,7 +382,10 @@ impl Bake {
         let settings = Settings {
             layout: self.layout()?,
             error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
-            max_bytes: self.max_bytes,
+            max_bytes: match self.lods {
+                0 => self.max_bytes,
+                _ => self.max_bytes.map(lod::bytes_without_levels),
+            },
             interpolant,
             termination: match self.termination {
                 None | Some(Termination::Trapezoid) => settings::Termination::Trapezoid,

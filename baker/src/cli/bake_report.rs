@@ -1,9 +1,10 @@
 //! What a bake tells: warnings, a summary for eyes, a report for programs.
 
 use super::error_table::{self, MeasurementReport};
-use super::info::InfoReport;
+use super::info::{self, InfoReport};
 use nearfield::Field;
 use nearfield_bake::distance::SignMethod;
+use nearfield_bake::lod;
 use nearfield_bake::mesh::{CheckedMesh, Role};
 use nearfield_bake::report::{Report, Stage};
 use nearfield_bake::settings::{
@@ -31,6 +32,13 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
     warnings.extend(orientation_changes(mesh));
     if report.measurement.doubtful_signs > 0 {
         warnings.push(doubt(&report.measurement));
+    }
+    if report.lods_left_out > 0 {
+        warnings.push(format!(
+            "{} of the levels of detail would take more than {:.0} % of the field's bytes and are left out",
+            report.lods_left_out,
+            100.0 * lod::MOST_SHARE
+        ));
     }
     let target = settings.error.absolute(mesh.bounds.diagonal());
     let error = match &settings.layout {
@@ -121,6 +129,7 @@ pub(super) fn summary(
     text += &format!("{}: {} bytes, {}\n", field_path.display(), info.bytes(), info.cells());
     text += &error_table::table(&field.contract(), field.header().diagonal);
     text += &error_table::details(&report.measurement, field.header().diagonal);
+    text += &info::levels_of_detail(field);
 
     text += &format!("seconds      {:>8}{:>8}\n", "wall", "CPU");
     let total = Stage {

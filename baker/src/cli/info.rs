@@ -46,6 +46,9 @@ pub(super) struct InfoReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     grid: Option<GridReport>,
     sections: Vec<SectionReport>,
+    /// Coarser fields within the file: level 1 and so on.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lods: Vec<LevelReport>,
     mesh_hash: String,
     settings_hash: String,
     baker_version: String,
@@ -94,6 +97,14 @@ struct GridReport {
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
+struct LevelReport {
+    bytes: usize,
+    target_error: f32,
+    lipschitz: f32,
+    errors: ContractReport,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
 struct SectionReport {
     kind: String,
     offset: usize,
@@ -116,7 +127,7 @@ impl InfoReport {
         Self {
             schema: 1,
             version: header.version,
-            bytes: field.sections().map(|section| section.range.end).max().unwrap_or(0),
+            bytes: field.bytes().len(),
             box_min: header.bounds.min,
             box_max: header.bounds.max,
             diagonal: header.diagonal,
@@ -141,6 +152,7 @@ impl InfoReport {
                     bytes: section.range.len(),
                 })
                 .collect(),
+            lods: levels(field).map(|level| LevelReport::of(&level)).collect(),
             mesh_hash: hexadecimal(&header.mesh_hash),
             settings_hash: hexadecimal(&header.settings_hash),
             baker_version: header.baker_version.map(|part| part.to_string()).join("."),
@@ -203,7 +215,43 @@ impl InfoReport {
         line("settings", self.settings_hash.clone());
         line("baker", self.baker_version.clone());
 
-        text + &error_table::table(&field.contract(), self.diagonal)
+        text += &error_table::table(&field.contract(), self.diagonal);
+        text + &levels_of_detail(field)
+    }
+}
+
+/// The levels of detail beside the field itself.
+fn levels<'a>(field: &Field<'a>) -> impl Iterator<Item = Field<'a>> {
+    (1..field.lod_count()).filter_map(|level| field.lod(level))
+}
+
+/// What each level of detail takes and keeps, a line each.
+pub(super) fn levels_of_detail(field: &Field<'_>) -> String {
+    let alone = field.bytes().len() - levels(field).map(|level| level.bytes().len()).sum::<usize>();
+    let mut text = String::new();
+    for (level, number) in levels(field).zip(1..) {
+        let (bytes, contract) = (level.bytes().len(), level.contract());
+        let share = 100.0 * bytes as f64 / alone as f64;
+        let relative = |error: f32| f64::from(error) / f64::from(field.header().diagonal);
+        text += &format!(
+            "lod {number}: {bytes} bytes, {share:.1} % of the field; RMSE {:.2e}, band RMSE {:.2e}, max {:.2e}\n",
+            relative(contract.uniform.rmse),
+            relative(contract.band.rmse),
+            relative(contract.max_error())
+        );
+    }
+    text
+}
+
+impl LevelReport {
+    fn of(level: &Field<'_>) -> Self {
+        let header = level.header();
+        Self {
+            bytes: level.bytes().len(),
+            target_error: header.target_error,
+            lipschitz: header.lipschitz,
+            errors: (&level.contract()).into(),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! `nearfield mesh`: a field back to triangles.
 
-use super::arguments::Threads;
+use super::arguments::{LevelOfDetail, Threads};
 use super::exit_code::Failure;
 use super::{files, print};
 use clap::Args;
@@ -20,6 +20,9 @@ Examples:
 pub(super) struct MeshCommand {
     /// The field
     field: PathBuf,
+
+    #[command(flatten)]
+    lod: LevelOfDetail,
 
     /// The mesh to write: .ply, .obj or .stl; `-` is PLY on standard output
     #[arg(short, long, value_name = "MESH")]
@@ -44,7 +47,7 @@ pub(super) struct MeshCommand {
 impl MeshCommand {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
-        let field = files::open_field(&bytes, &self.field)?;
+        let field = self.lod.open(&bytes, &self.field)?;
         files::check_output(&self.output, &self.field)?;
         let format = format_of(&self.output)?;
 

@@ -2,7 +2,7 @@
 //!
 //! Questions are lines of text on standard input or a file of floats, however long; answers go the same way, or as lines of JSON.
 
-use super::arguments::Threads;
+use super::arguments::{LevelOfDetail, Threads};
 use super::exit_code::Failure;
 use super::files;
 use clap::Args;
@@ -47,6 +47,9 @@ pub(super) struct Answers {
     json: bool,
 
     #[command(flatten)]
+    lod: LevelOfDetail,
+
+    #[command(flatten)]
     threads: Threads,
 }
 
@@ -69,7 +72,7 @@ pub(super) fn answer<const NUMBERS: usize>(
         ));
     }
     let bytes = files::read_bytes(field)?;
-    let opened = files::open_field(&bytes, field)?;
+    let opened = answers.lod.open(&bytes, field)?;
     files::check_output(&answers.output, field)?;
 
     let conversation = Conversation { kind, field: &opened, json: answers.json, output: &answers.output };

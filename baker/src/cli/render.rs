@@ -1,6 +1,6 @@
 //! `nearfield render`: a view of a field's surface.
 
-use super::arguments::{Sign, Threads, method_of, not_negative};
+use super::arguments::{LevelOfDetail, Sign, Threads, method_of, not_negative};
 use super::camera_arguments::CameraArguments;
 use super::exit_code::Failure;
 use super::files;
@@ -27,6 +27,9 @@ Examples:
 pub(super) struct RenderCommand {
     /// The field
     field: PathBuf,
+
+    #[command(flatten)]
+    lod: LevelOfDetail,
 
     /// The PNG to write; `-` is standard output
     #[arg(short, long, value_name = "PNG")]
@@ -101,7 +104,7 @@ enum ShadingName {
 impl RenderCommand {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
-        let field = files::open_field(&bytes, &self.field)?;
+        let field = self.lod.open(&bytes, &self.field)?;
         if self.frames.is_some() && files::is_standard_stream(&self.output) {
             return Err(Failure::Usage("several frames cannot go to standard output: name a file".to_owned()));
         }

@@ -1,6 +1,6 @@
 //! `nearfield slice`: a picture of a plane through a field.
 
-use super::arguments::{method_of, not_negative};
+use super::arguments::{LevelOfDetail, method_of, not_negative};
 use super::exit_code::Failure;
 use super::files;
 use super::mesh_arguments::MeshArguments;
@@ -28,6 +28,9 @@ Examples:
 pub(super) struct SliceCommand {
     /// The field
     field: PathBuf,
+
+    #[command(flatten)]
+    lod: LevelOfDetail,
 
     /// The PNG to write; `-` is standard output
     #[arg(short, long, value_name = "PNG")]
@@ -86,7 +89,7 @@ enum AxisName {
 impl SliceCommand {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
-        let field = files::open_field(&bytes, &self.field)?;
+        let field = self.lod.open(&bytes, &self.field)?;
         files::check_output(&self.output, &self.field)?;
 
         let truth = self.truth(&field)?;

@@ -1,6 +1,6 @@
 //! `nearfield verify`: does a field keep its promise?
 
-use super::arguments::{Threads, method_of, not_negative};
+use super::arguments::{LevelOfDetail, Threads, method_of, not_negative};
 use super::error_table::{self, ContractReport, MeasurementReport};
 use super::exit_code::Failure;
 use super::mesh_arguments::MeshArguments;
@@ -38,6 +38,9 @@ pub(super) struct Verify {
     /// The field
     field: PathBuf,
 
+    #[command(flatten)]
+    lod: LevelOfDetail,
+
     /// The mesh that it was baked from
     #[arg(long, value_name = "MESH")]
     mesh: PathBuf,
@@ -67,7 +70,7 @@ const FRESH_SEED: u64 = verify::CONTRACT_SEED + 1;
 impl Verify {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
-        let field = files::open_field(&bytes, &self.field)?;
+        let field = self.lod.open(&bytes, &self.field)?;
         if field.contract().sample_count == 0 {
             return Err(Failure::Verification(format!(
                 "{} promises nothing: its contract is empty; bake it again",

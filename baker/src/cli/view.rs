@@ -1,5 +1,6 @@
 //! `nearfield view`: a page that shows a field in a browser.
 
+use super::arguments::LevelOfDetail;
 use super::camera_arguments::CameraArguments;
 use super::exit_code::Failure;
 use super::files;
@@ -20,6 +21,9 @@ pub(super) struct ViewCommand {
     /// The field
     field: PathBuf,
 
+    #[command(flatten)]
+    lod: LevelOfDetail,
+
     /// The HTML to write; `-` is standard output
     #[arg(short, long, value_name = "HTML")]
     output: PathBuf,
@@ -35,12 +39,12 @@ pub(super) struct ViewCommand {
 impl ViewCommand {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
-        files::open_field(&bytes, &self.field)?;
+        let field = self.lod.open(&bytes, &self.field)?;
         files::check_output(&self.output, &self.field)?;
 
         let name = self.field.file_name().unwrap_or_default().to_string_lossy();
         let camera = self.camera.camera(self.camera.azimuth);
-        let page = viewer_page(&bytes, &Viewer { name: &name, camera, offset: self.offset });
+        let page = viewer_page(field.bytes(), &Viewer { name: &name, camera, offset: self.offset });
         files::write_bytes(&self.output, page.as_bytes())
     }
 }

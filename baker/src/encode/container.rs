@@ -2,8 +2,8 @@
 
 use super::EncodeError;
 use crate::geometry::Aabb;
-use nearfield::ErrorContract;
 use nearfield::layout::{self, header, section_entry};
+use nearfield::{ErrorContract, Field};
 use std::ops::Range;
 
 /// Where a field came from.
@@ -41,14 +41,32 @@ pub(super) fn put(bytes: &mut [u8], range: Range<usize>, value: &[u8]) {
     bytes[range].copy_from_slice(value);
 }
 
-/// Lays sections out behind a header.
+/// The file of these sections, its error contract still blank.
 pub(super) fn assemble(shape: &Shape, provenance: &Provenance, sections: &[Section]) -> Result<Vec<u8>, EncodeError> {
+    lay_out(header_of(shape, provenance), sections)
+}
+
+/// A file with levels of detail in front of its sections, so that its first bytes hold the coarsest.
+///
+/// `levels` are files of the same family and diagonal, the coarsest first, at most
+/// [`MAX_LODS`](nearfield::layout::MAX_LODS); `file` and they have none of their own.
+pub fn with_levels(file: &Field<'_>, levels: &[Vec<u8>]) -> Result<Vec<u8>, EncodeError> {
+    let bytes = file.bytes();
+    let mut sections = vec![Section { kind: layout::section::LODS, bytes: levels.concat() }];
+    sections
+        .extend(file.sections().map(|section| Section { kind: section.kind, bytes: bytes[section.range].to_vec() }));
+    lay_out(bytes[..header::LENGTH].to_vec(), &sections)
+}
+
+/// Lays sections out behind a header.
+fn lay_out(mut bytes: Vec<u8>, sections: &[Section]) -> Result<Vec<u8>, EncodeError> {
     let table_end = header::LENGTH + sections.len() * section_entry::LENGTH;
     let file_length = table_end + sections.iter().map(|section| section.bytes.len()).sum::<usize>();
     let file_length = u32::try_from(file_length).map_err(|_| EncodeError::TooLarge)?;
 
-    let mut bytes = vec![0; table_end];
-    write_header(&mut bytes, shape, provenance, sections.len() as u8, file_length);
+    put(&mut bytes, header::FILE_LENGTH, &file_length.to_le_bytes());
+    bytes[header::SECTION_COUNT] = sections.len() as u8;
+    bytes.resize(table_end, 0);
     for (section, at) in sections.iter().zip((header::LENGTH..).step_by(section_entry::LENGTH)) {
         let entry = [section.kind, bytes.len() as u32, section.bytes.len() as u32, crc32c::crc32c(&section.bytes)];
         put(&mut bytes, at..at + section_entry::LENGTH, entry.map(u32::to_le_bytes).as_flattened());
@@ -58,26 +76,27 @@ pub(super) fn assemble(shape: &Shape, provenance: &Provenance, sections: &[Secti
     Ok(bytes)
 }
 
-fn write_header(bytes: &mut [u8], shape: &Shape, provenance: &Provenance, section_count: u8, file_length: u32) {
+/// A header that knows neither its sections nor its errors.
+fn header_of(shape: &Shape, provenance: &Provenance) -> Vec<u8> {
+    let mut bytes = vec![0; header::LENGTH];
     let Aabb { min, max } = shape.bounds;
     let [major, minor, patch] = BAKER_VERSION;
 
-    put(bytes, header::MAGIC, &layout::MAGIC);
-    put(bytes, header::VERSION_MAJOR, &layout::VERSION_MAJOR.to_le_bytes());
-    put(bytes, header::VERSION_MINOR, &layout::VERSION_MINOR.to_le_bytes());
-    put(bytes, header::FILE_LENGTH, &file_length.to_le_bytes());
+    put(&mut bytes, header::MAGIC, &layout::MAGIC);
+    put(&mut bytes, header::VERSION_MAJOR, &layout::VERSION_MAJOR.to_le_bytes());
+    put(&mut bytes, header::VERSION_MINOR, &layout::VERSION_MINOR.to_le_bytes());
     bytes[header::FAMILY] = shape.family;
     bytes[header::SIGN_METHOD] = provenance.sign_method;
-    bytes[header::SECTION_COUNT] = section_count;
-    put(bytes, header::BOX_MIN, min.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
-    put(bytes, header::BOX_MAX, max.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
-    put(bytes, header::DIAGONAL, &(provenance.diagonal as f32).to_le_bytes());
-    put(bytes, header::TARGET_ERROR, &(provenance.target_error as f32).to_le_bytes());
+    put(&mut bytes, header::BOX_MIN, min.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
+    put(&mut bytes, header::BOX_MAX, max.as_vec3().to_array().map(f32::to_le_bytes).as_flattened());
+    put(&mut bytes, header::DIAGONAL, &(provenance.diagonal as f32).to_le_bytes());
+    put(&mut bytes, header::TARGET_ERROR, &(provenance.target_error as f32).to_le_bytes());
     // Rounded up: it is a bound.
-    put(bytes, header::LIPSCHITZ, &(shape.lipschitz as f32).next_up().to_le_bytes());
-    put(bytes, header::MESH_HASH, &provenance.mesh_hash);
-    put(bytes, header::SETTINGS_HASH, &provenance.settings_hash);
-    put(bytes, header::BAKER_VERSION, &(major << 16 | minor << 8 | patch).to_le_bytes());
+    put(&mut bytes, header::LIPSCHITZ, &(shape.lipschitz as f32).next_up().to_le_bytes());
+    put(&mut bytes, header::MESH_HASH, &provenance.mesh_hash);
+    put(&mut bytes, header::SETTINGS_HASH, &provenance.settings_hash);
+    put(&mut bytes, header::BAKER_VERSION, &(major << 16 | minor << 8 | patch).to_le_bytes());
+    bytes
 }
 
 /// Major, minor, patch.

@@ -7,7 +7,7 @@ mod octree;
 mod polynomial;
 mod shapes;
 
-pub use container::{Provenance, write_contract, write_lipschitz};
+pub use container::{Provenance, with_levels, write_contract, write_lipschitz};
 
 use crate::geometry::Aabb;
 use crate::grid::Grid;

@@ -152,6 +152,12 @@ enum NearfieldResult
   NEARFIELD_RESULT_LEVELS_APART = 50,
   // The support or the reach of a leaf is not what the tree makes it (§12.6).
   NEARFIELD_RESULT_OVERLAP_CODES = 51,
+  // The levels of detail are none, too many, or do not tile their section (§4.2).
+  NEARFIELD_RESULT_LOD_LENGTH = 52,
+  // A level of detail is of another family or diagonal, or has levels of its own (§4.2).
+  NEARFIELD_RESULT_LOD_HEADER = 53,
+  // A level of detail is not coarser than the next (§4.2).
+  NEARFIELD_RESULT_LOD_ORDER = 54,
   // A pointer is NULL that may not be.
   NEARFIELD_RESULT_NULL = 256,
   // The handle of the field is not open.
@@ -160,6 +166,8 @@ enum NearfieldResult
   NEARFIELD_RESULT_OTHER = 258,
   // A placement is not a rotation or reflection with a uniform scale.
   NEARFIELD_RESULT_NOT_A_SIMILARITY = 259,
+  // The field has no such level of detail, or it is damaged.
+  NEARFIELD_RESULT_NO_LOD = 260,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -361,10 +369,38 @@ NearfieldResult nearfield_open(struct NearfieldField *field,
                                const void *bytes,
                                size_t length);
 
+// Opens the finest level of detail that is whole in the first `length` bytes of a file, or the field itself once these are
+// all its bytes: what a program can ask while the rest still arrives.
+//
+// As nearfield_open; NEARFIELD_RESULT_TRUNCATED while there is none yet.
+//
+// # Safety
+//
+// As of nearfield_open.
+NearfieldResult nearfield_open_prefix(struct NearfieldField *field,
+                                      const void *bytes,
+                                      size_t length);
+
 // Checks every byte of the field against the format, in time proportional to the file and without memory.
 //
 // NEARFIELD_RESULT_NOT_OPEN if the handle is not open.
 NearfieldResult nearfield_validate(const struct NearfieldField *field);
+
+// How many levels of detail there are, the field itself among them: at least 1, but 0 if the handle is not open.
+size_t nearfield_lod_count(const struct NearfieldField *field);
+
+// Opens a level of detail of an open field: 0 is the field itself, 1 the next coarser, and so on.
+//
+// A level is a field of its own, in the same bytes: with every function, its own box and its own errors. Ask for it once,
+// then query it. `lod` and `field` may be the same handle. Unless it succeeds `lod` is not open. NEARFIELD_RESULT_NULL if
+// `lod` is NULL, NEARFIELD_RESULT_NOT_OPEN if `field` is not open, NEARFIELD_RESULT_NO_LOD if there is no such level.
+//
+// # Safety
+//
+// `lod` points to memory for a handle, and `field` to a handle; either may be NULL.
+NearfieldResult nearfield_lod(struct NearfieldField *lod,
+                              const struct NearfieldField *field,
+                              size_t level);
 
 // NEARFIELD_ABI_VERSION of the library.
 uint32_t nearfield_abi_version(void);

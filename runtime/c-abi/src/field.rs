@@ -5,7 +5,7 @@ use crate::result::NearfieldResult;
 use core::ffi::c_void;
 use core::mem::MaybeUninit;
 use core::slice;
-use nearfield::Field;
+use nearfield::{Error, Field};
 
 /// What `is_open` holds while `reader` does: unlikely in memory that was never opened.
 const OPEN: u64 = 0x4e46_6965_6c64_0001;
@@ -19,11 +19,21 @@ pub struct NearfieldField {
 }
 
 impl NearfieldField {
+    /// A handle without a reader.
+    pub(crate) const CLOSED: Self = Self { is_open: 0, reader: [const { MaybeUninit::uninit() }; 31] };
+
+    /// A handle with a reader.
+    pub(crate) fn holding(reader: Field<'_>) -> Self {
+        let mut handle = Self::CLOSED;
+        opaque::put(&mut handle.reader, reader);
+        Self { is_open: OPEN, ..handle }
+    }
+
     /// The reader in a handle, unless there is none.
     #[inline]
     pub(crate) fn reader(handle: Option<&Self>) -> Option<&Field<'_>> {
         let handle = handle.filter(|handle| handle.is_open == OPEN)?;
-        // SAFETY: `nearfield_open` alone sets `is_open`, after it has put a field into the room.
+        // SAFETY: `holding` alone sets `is_open`, after it has put a field into the room.
         Some(unsafe { opaque::get::<Field<'_>, 31>(&handle.reader) })
     }
 }
@@ -42,12 +52,45 @@ pub unsafe extern "C" fn nearfield_open(
     bytes: *const c_void,
     length: usize,
 ) -> NearfieldResult {
+    // SAFETY: the caller's promises are the same.
+    unsafe { open_with(Field::open, field, bytes, length) }
+}
+
+/// Opens the finest level of detail that is whole in the first `length` bytes of a file, or the field itself once these are
+/// all its bytes: what a program can ask while the rest still arrives.
+///
+/// As nearfield_open; NEARFIELD_RESULT_TRUNCATED while there is none yet.
+///
+/// # Safety
+///
+/// As of nearfield_open.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nearfield_open_prefix(
+    field: *mut NearfieldField,
+    bytes: *const c_void,
+    length: usize,
+) -> NearfieldResult {
+    // SAFETY: the caller's promises are the same.
+    unsafe { open_with(Field::open_prefix, field, bytes, length) }
+}
+
+/// Opens a field in one way or another.
+///
+/// # Safety
+///
+/// As of [`nearfield_open`].
+unsafe fn open_with(
+    open: impl FnOnce(&'static [u8]) -> Result<Field<'static>, Error>,
+    field: *mut NearfieldField,
+    bytes: *const c_void,
+    length: usize,
+) -> NearfieldResult {
     if field.is_null() || bytes.is_null() && length != 0 {
         return NearfieldResult::Null;
     }
     // SAFETY: not NULL, and the caller gives memory for a handle. It need not hold one yet: it is written before it is read.
     let handle = unsafe {
-        field.write(NearfieldField { is_open: 0, reader: [const { MaybeUninit::uninit() }; 31] });
+        field.write(NearfieldField::CLOSED);
         &mut *field
     };
     // More than the address space holds cannot be a field, nor a slice.
@@ -61,10 +104,9 @@ pub unsafe extern "C" fn nearfield_open(
         unsafe { slice::from_raw_parts(bytes.cast::<u8>(), length) }
     };
 
-    match Field::open(bytes) {
+    match open(bytes) {
         Ok(reader) => {
-            opaque::put(&mut handle.reader, reader);
-            handle.is_open = OPEN;
+            *handle = NearfieldField::holding(reader);
             NearfieldResult::Ok
         }
         Err(error) => error.into(),

@@ -13,6 +13,8 @@ mod vector;
 
 mod field;
 
+mod lod;
+
 mod info;
 
 mod query;
@@ -32,7 +34,7 @@ pub use batch::{nearfield_distances, nearfield_distances_and_gradients};
 pub use cursor::{
     NearfieldCursor, nearfield_cursor, nearfield_cursor_distance, nearfield_cursor_distance_and_gradient,
 };
-pub use field::{NearfieldField, nearfield_open, nearfield_validate};
+pub use field::{NearfieldField, nearfield_open, nearfield_open_prefix, nearfield_validate};
 pub use info::{
     NEARFIELD_ABI_VERSION, NearfieldErrors, NearfieldFormat, NearfieldInfo, nearfield_abi_version, nearfield_format,
     nearfield_info,
@@ -41,6 +43,7 @@ pub use instance::{
     NearfieldInstance, NearfieldPlacement, nearfield_instance, nearfield_instance_distance,
     nearfield_instance_distance_and_gradient,
 };
+pub use lod::{nearfield_lod, nearfield_lod_count};
 pub use march::{
     NearfieldClosestPoint, NearfieldRay, NearfieldRayEnd, NearfieldRayHit, nearfield_closest_point, nearfield_raycast,
 };

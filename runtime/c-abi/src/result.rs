@@ -111,6 +111,12 @@ pub enum NearfieldResult {
     LevelsApart = 50,
     /// The support or the reach of a leaf is not what the tree makes it (§12.6).
     OverlapCodes = 51,
+    /// The levels of detail are none, too many, or do not tile their section (§4.2).
+    LodLength = 52,
+    /// A level of detail is of another family or diagonal, or has levels of its own (§4.2).
+    LodHeader = 53,
+    /// A level of detail is not coarser than the next (§4.2).
+    LodOrder = 54,
     /// A pointer is NULL that may not be.
     Null = 256,
     /// The handle of the field is not open.
@@ -119,6 +125,8 @@ pub enum NearfieldResult {
     Other = 258,
     /// A placement is not a rotation or reflection with a uniform scale.
     NotASimilarity = 259,
+    /// The field has no such level of detail, or it is damaged.
+    NoLod = 260,
 }
 
 /// A text with the zero at its end that C wants.
@@ -166,7 +174,7 @@ errors! {
     OctreeBounds NodeLength NodeTag NodeOrder NodeDepth LeafCount BlockOrder BlockPresent BlockFull BlockPrecision
     BlockBase GridLength GridResolution GridReconstruction GridPrecision GridScale GridBounds GridSamples GradientCode
     SampleValue ShapeBits Overlap RootLength RecordOrder LeafOrder LeafLength LeafShape Shape ShapeOrder LevelsApart
-    OverlapCodes
+    OverlapCodes LodLength LodHeader LodOrder
 }
 
 /// A result in words, zero-terminated, for ever. Never NULL, whatever the number.
@@ -176,11 +184,13 @@ pub extern "C" fn nearfield_result_text(result: i32) -> *const c_char {
     const NULL: i32 = NearfieldResult::Null as i32;
     const NOT_OPEN: i32 = NearfieldResult::NotOpen as i32;
     const NOT_A_SIMILARITY: i32 = NearfieldResult::NotASimilarity as i32;
+    const NO_LOD: i32 = NearfieldResult::NoLod as i32;
     match result {
         OK => text!("no error"),
         NULL => text!("a pointer is NULL"),
         NOT_OPEN => text!("the field is not open"),
         NOT_A_SIMILARITY => text!("the placement is not a rotation or reflection with a uniform scale"),
+        NO_LOD => text!("the field has no such level of detail"),
         _ => error_text(result).unwrap_or(text!("the bytes are not a field that this version can read")),
     }
 }

@@ -161,6 +161,54 @@ fn a_handle_may_be_copied_and_opened_again() {
 }
 
 #[test]
+fn levels_of_detail_have_the_bits_of_rust() {
+    let bytes = include_bytes!("../../../format-spec/vectors/valid/lods_polynomial.nfd");
+    let reader = nearfield::Field::open(bytes).expect("a field");
+    let (field, _) = open(bytes);
+    assert_eq!(nearfield_lod_count(Some(&field)), 3);
+    assert_eq!((nearfield_lod_count(None), nearfield_lod_count(Some(&closed()))), (0, 0));
+    let point = [1.5, 2.75, 3.25];
+    for number in 0..3 {
+        let mut level = field;
+        let place: *mut NearfieldField = &mut level;
+        // SAFETY: one handle, which may be both.
+        assert_eq!(unsafe { nearfield_lod(place, place, number) }, NearfieldResult::Ok);
+        let expected = reader.lod(number).expect("a level");
+        assert_eq!(nearfield_distance(Some(&level), point.into()).to_bits(), expected.distance(point).to_bits());
+        assert_eq!(nearfield_info(Some(&level)).target_error, expected.header().target_error);
+    }
+
+    let mut level = field;
+    // SAFETY: handles, or the NULL that is tested.
+    unsafe {
+        assert_eq!(nearfield_lod(&mut level, &field, 3), NearfieldResult::NoLod);
+        assert!(nearfield_distance(Some(&level), ORIGIN).is_nan(), "a level that there is not");
+        assert_eq!(nearfield_lod(&mut level, &closed(), 0), NearfieldResult::NotOpen);
+        assert_eq!(nearfield_lod(&mut level, ptr::null(), 0), NearfieldResult::NotOpen);
+        assert_eq!(nearfield_lod(ptr::null_mut(), &field, 0), NearfieldResult::Null);
+    }
+}
+
+#[test]
+fn a_prefix_opens_its_finest_level() {
+    let bytes = include_bytes!("../../../format-spec/vectors/valid/lods_polynomial.nfd");
+    let mut field = closed();
+    for length in [0, 200, bytes.len() / 3, bytes.len() - 1, bytes.len()] {
+        // SAFETY: so many of the bytes are there.
+        let result = unsafe { nearfield_open_prefix(&mut field, bytes.as_ptr().cast(), length) };
+        match nearfield::Field::open_prefix(&bytes[..length]) {
+            Ok(expected) => {
+                assert_eq!(result, NearfieldResult::Ok, "{length} bytes");
+                assert_eq!(nearfield_info(Some(&field)).target_error, expected.header().target_error);
+            }
+            Err(error) => assert_eq!(result, NearfieldResult::from(error), "{length} bytes"),
+        }
+    }
+    // SAFETY: NULL is what is tested.
+    assert_eq!(unsafe { nearfield_open_prefix(ptr::null_mut(), ptr::null(), 0) }, NearfieldResult::Null);
+}
+
+#[test]
 fn batches_follow_their_strides_at_any_alignment() {
     let (field, _) = open(BYTES);
     let info = nearfield_info(Some(&field));

@@ -229,6 +229,7 @@ fn codes() {
         ("SHAPES".to_string(), section::SHAPES),
         ("RECORDS".to_string(), section::RECORDS),
         ("LEAVES".to_string(), section::LEAVES),
+        ("LODS".to_string(), section::LODS),
     ];
     assert_eq!(kinds, expected);
 }
@@ -241,6 +242,7 @@ fn limits() {
         ("MIN_QUANTUM", f64::from(limit::MIN_QUANTUM)),
         ("BOX_TOLERANCE", f64::from(limit::BOX_TOLERANCE)),
         ("MAX_SECTIONS", layout::MAX_SECTIONS as f64),
+        ("MAX_LODS", layout::MAX_LODS as f64),
         ("MAX_DEPTH", f64::from(octree::MAX_DEPTH)),
         ("MAX_LATTICE", f64::from(octree::MAX_LATTICE)),
         ("MIN_BASE", f64::from(block::MIN_BASE)),

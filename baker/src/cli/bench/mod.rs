@@ -3,6 +3,7 @@
 mod dense_grid;
 mod point_sets;
 
+use super::arguments::LevelOfDetail;
 use super::exit_code::Failure;
 use super::{files, print, to_json};
 use clap::Args;
@@ -28,6 +29,9 @@ Examples:
 pub(super) struct Bench {
     /// The field
     field: PathBuf,
+
+    #[command(flatten)]
+    lod: LevelOfDetail,
 
     /// Points to time instead: little-endian f32 triples (x, y, z) without a header
     #[arg(long, value_name = "POINTS")]
@@ -67,7 +71,7 @@ struct SetReport {
 impl Bench {
     pub(super) fn run(self) -> Result<(), Failure> {
         let bytes = files::read_bytes(&self.field)?;
-        let field = files::open_field(&bytes, &self.field)?;
+        let field = self.lod.open(&bytes, &self.field)?;
         let dense = DenseGrid::of(&field, DENSE_CELLS);
         let sets = match &self.points {
             Some(path) => vec![("given", files::read_points(path)?)],
