@@ -67,9 +67,11 @@ pub fn validate_then_query(bytes: &[u8]) {
 
 /// Levels of detail are fields like any other, in whichever way they are found.
 fn levels(field: &Field<'_>, bytes: &[u8], is_valid: bool) {
-    let coarser = (1..field.lod_count()).filter_map(|level| field.lod(level));
-    let count = coarser.inspect(|level| drop(query(level, bytes))).count();
-    assert!(!is_valid || count + 1 == field.lod_count(), "levels of a valid file");
+    for number in 1..field.lod_count() {
+        let level = field.lod(number);
+        assert!(!is_valid || level.is_some(), "a level of a valid file does not open");
+        level.iter().for_each(|level| _ = query(level, bytes));
+    }
     assert!(field.lod(field.lod_count()).is_none(), "more levels than there are");
     for length in [bytes.len() / 4, bytes.len() / 2, bytes.len() - 1] {
         if let Ok(level) = Field::open_prefix(&bytes[..length]) {

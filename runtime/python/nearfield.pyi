@@ -52,13 +52,14 @@ def bake(
     margin: float | None = None,
     max_depth: int | None = None,
     samples: int | None = None,
+    lods: int = 0,
     threads: int | None = None,
 ) -> Field:
     """Bakes a triangle mesh into a field: the same mesh and settings give the same bytes on any machine.
 
     The settings are those of ``nearfield bake``, with its defaults: ``error`` is the root mean square error asked of
-    every leaf, a fraction of the diagonal of the mesh's box, and ``error_abs`` the same in mesh units. It runs to its
-    end: an interrupt is noticed afterwards.
+    every leaf, a fraction of the diagonal of the mesh's box, and ``error_abs`` the same in mesh units; ``lods`` is how
+    many levels of detail to add. It runs to its end: an interrupt is noticed afterwards.
 
     Raises ValueError for a mesh or settings that give no field, TypeError for faces that are not integers.
     """
@@ -109,6 +110,17 @@ class Field:
         ``directions`` need no unit length; ``length`` and ``within`` are mesh units. A ray stops where the field is at
         most ``within``: with ``contract.max_error`` before the true surface, with 0 on the field's.
         """
+
+    def lod(self, level: int) -> Field:
+        """A level of detail: 0 is the field itself, 1 the next coarser, and so on.
+
+        A field of its own, with its own bounds and contract; its bytes are copied. Raises IndexError when there is no
+        such level.
+        """
+
+    @property
+    def lod_count(self) -> int:
+        """How many levels of detail there are, the field itself among them: at least 1."""
 
     def tobytes(self) -> bytes:
         """The bytes of the file."""

@@ -4,6 +4,8 @@
 mod failures;
 /// From a mesh to a field, and what a field is worth.
 mod fields;
+/// Levels of detail: baked, listed, and asked one by one.
+mod levels;
 /// What becomes of nodes, axes, thickness and doubt.
 mod meshes;
 /// Points and rays, in and out.

@@ -4,6 +4,7 @@ use crate::field::Field;
 use crate::points::{Points, Triples};
 use glam::DVec3;
 use nearfield_bake::import::TriangleSoup;
+use nearfield_bake::lod::add_levels;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::settings::{Continuity, Settings, Target};
@@ -16,10 +17,10 @@ use std::num::NonZeroUsize;
 
 /// Bakes a triangle mesh into a field: the same mesh and settings give the same bytes on any machine.
 ///
-/// `error` is a fraction of the diagonal of the mesh's box, `error_abs` the same in mesh units. It runs to its end:
-/// an interrupt is noticed afterwards.
+/// `error` is a fraction of the diagonal of the mesh's box, `error_abs` the same in mesh units; `lods` is how many levels
+/// of detail to add. It runs to its end: an interrupt is noticed afterwards.
 #[pyfunction]
-#[pyo3(signature = (vertices, faces, *, error = None, error_abs = None, continuity = "c1", margin = None, max_depth = None, samples = None, threads = None))]
+#[pyo3(signature = (vertices, faces, *, error = None, error_abs = None, continuity = "c1", margin = None, max_depth = None, samples = None, lods = 0, threads = None))]
 #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
 pub fn bake(
     py: Python<'_>,
@@ -31,6 +32,7 @@ pub fn bake(
     margin: Option<f64>,
     max_depth: Option<u8>,
     samples: Option<u32>,
+    lods: u8,
     threads: Option<NonZeroUsize>,
 ) -> PyResult<Field> {
     let default = Settings::default();
@@ -62,7 +64,9 @@ pub fn bake(
     let bytes = py.detach(|| {
         pool.install(|| {
             let mesh = CheckedMesh::new(soup).map_err(to_value_error)?;
-            nearfield_bake::bake(&mesh, &settings, &Silent).map(|baked| baked.bytes).map_err(to_value_error)
+            let bake = |settings: &Settings| nearfield_bake::bake(&mesh, settings, &Silent);
+            let baked = bake(&settings).and_then(|field| add_levels(field, &settings, lods, bake));
+            baked.map(|baked| baked.bytes).map_err(to_value_error)
         })
     })?;
     Field::new(bytes)

@@ -6,7 +6,7 @@ use crate::contract::Contract;
 use crate::points::Points;
 use nearfield_bake::output;
 use numpy::{PyArray2, PyArrayDyn};
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::{PyIndexError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::num::NonZeroUsize;
@@ -152,6 +152,19 @@ impl Field {
             point: to_vector_array(py, rays.iter().map(|ray| ray.point).collect(), shape)?.unbind(),
             normal: to_vector_array(py, rays.iter().map(|ray| ray.normal).collect(), shape)?.unbind(),
         })
+    }
+
+    /// A level of detail: 0 is the field itself, 1 the next coarser, and so on. Its bytes are copied.
+    fn lod(&self, level: usize) -> PyResult<Self> {
+        let lod = self.view().lod(level);
+        let missing = || PyIndexError::new_err(format!("the field has the levels 0 to {}", self.lod_count() - 1));
+        Ok(Self { bytes: lod.ok_or_else(missing)?.bytes().into() })
+    }
+
+    /// How many levels of detail there are, the field itself among them.
+    #[getter]
+    fn lod_count(&self) -> usize {
+        self.view().lod_count()
     }
 
     /// The bytes of the file.

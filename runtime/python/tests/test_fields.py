@@ -27,6 +27,23 @@ def test_a_field_survives_files_bytes_pickles_and_copies(field, tmp_path):
     assert field.nbytes == len(field.tobytes()) == (tmp_path / "field.nfd").stat().st_size
 
 
+def test_levels_of_detail_are_fields(octahedron, field, points):
+    assert field.lod_count == 1
+    assert field.lod(0).tobytes() == field.tobytes()
+    with pytest.raises(IndexError):
+        field.lod(1)
+
+    fine = nearfield.bake(*octahedron, error=1e-3, samples=2000, lods=2)
+    assert fine.lod_count == 3
+    assert (fine.distance(points) == field.distance(points)).all()
+    for level in (1, 2):
+        coarse = fine.lod(level)
+        assert coarse.target_error == pytest.approx(4 * fine.lod(level - 1).target_error)
+        assert coarse.nbytes < fine.nbytes / 4
+        inside = points[(np.abs(points) <= 1).all(axis=-1)]
+        assert np.abs(coarse.distance(inside) - fine.distance(inside)).max() <= 2 * coarse.contract.max_error
+
+
 def test_the_header_is_there(field):
     low, high = field.bounds
     assert field.bounds.shape == (2, 3) and (low <= -1).all() and (high >= 1).all()
