@@ -95,8 +95,8 @@ fn scale_slopes(basis: &mut Basis, spacing: &[f32; 4]) {
 fn weigh(corners: &FirstOrder, basis: &Basis, face: &mut Face) {
     let [x, y, z] = axes(basis);
     let across = Across::new(y, z);
-    for lane in 0..4 {
-        face[lane] = across.weigh(corners.along_x(x, lane), lane);
+    for (lane, sum) in face.iter_mut().enumerate() {
+        *sum = across.weigh(corners.along_x(x, lane), lane);
     }
 }
 
@@ -105,12 +105,13 @@ fn weigh(corners: &FirstOrder, basis: &Basis, face: &mut Face) {
 fn weigh_each(corners: &FirstOrder, basis: &Basis, derivative: &Basis, faces: &mut [Face; 4]) {
     let ([x, y, z], [by_x, by_y, by_z]) = (axes(basis), axes(derivative));
     let (across, across_by_y, across_by_z) = (Across::new(y, z), Across::new(by_y, z), Across::new(y, by_z));
+    let [value, slope_x, slope_y, slope_z] = faces;
     for lane in 0..4 {
         let edge = corners.along_x(x, lane);
-        faces[0][lane] = across.weigh(edge, lane);
-        faces[1][lane] = across.weigh(corners.along_x(by_x, lane), lane);
-        faces[2][lane] = across_by_y.weigh(edge, lane);
-        faces[3][lane] = across_by_z.weigh(edge, lane);
+        value[lane] = across.weigh(edge, lane);
+        slope_x[lane] = across.weigh(corners.along_x(by_x, lane), lane);
+        slope_y[lane] = across_by_y.weigh(edge, lane);
+        slope_z[lane] = across_by_z.weigh(edge, lane);
     }
 }
 
