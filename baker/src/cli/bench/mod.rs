@@ -89,7 +89,7 @@ impl Bench {
         }
         let report = BenchReport {
             schema: 1,
-            field_bytes: bytes.len(),
+            field_bytes: field.bytes().len(),
             dense_grid_bytes: dense.bytes(),
             dense_grid_cells: DENSE_CELLS,
             sets: sets
