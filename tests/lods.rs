@@ -11,6 +11,8 @@ use nearfield_bake::settings::{
 };
 use nearfield_bake::verify;
 use nearfield_bake::{Baked, bake};
+use nearfield_fuzz::structure::{Choices, mutate, repair};
+use nearfield_fuzz::structure_aware;
 
 const MESH: &str = "bob_small.ply";
 
@@ -184,4 +186,25 @@ fn a_prefix_is_its_finest_whole_level() {
     assert_eq!(Field::open_prefix(b"solid cube").err(), Some(Error::Magic));
     let longer = [&bytes[..], b"more"].concat();
     assert_eq!(Field::open_prefix(&longer).err(), Some(Error::FileLength));
+}
+
+/// Words of levels change, and every checksum with them: a level may be refused, but nothing fails.
+#[test]
+fn damaged_levels_are_refused_or_answer_with_numbers() {
+    let (mut refused, mut choices) = (0, Choices::new(9));
+    for name in ["polynomial", "polynomial_eight", "octree", "grid"] {
+        let bytes = read(&folder("valid"), &format!("lods_{name}"));
+        for _ in 0..200 {
+            let mut damaged = bytes.clone();
+            damaged.extend([0; 64]);
+            let length = mutate(&mut damaged, bytes.len(), &mut choices);
+            damaged.truncate(length);
+            repair(&mut damaged);
+            structure_aware(&damaged);
+            let field = Field::open(&damaged);
+            refused +=
+                u32::from(field.is_ok_and(|field| (1..field.lod_count()).any(|level| field.lod(level).is_none())));
+        }
+    }
+    assert!(refused > 10, "{refused} files with a level that does not open");
 }

@@ -131,6 +131,13 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     ///
     /// The first rule of `SPEC.md` §4 to §8, §11 and §12 that the bytes break.
     pub fn validate(&self) -> Result<(), Error> {
+        if lod::has_levels(self.bytes) { self.validate_with_levels() } else { self.validate_alone() }
+    }
+
+    /// Checks levels of detail too. Apart, so that its stack is taken only where there are some.
+    #[cold]
+    #[inline(never)]
+    fn validate_with_levels(&self) -> Result<(), Error> {
         self.validate_alone()?;
         for level in lod::levels(self.bytes) {
             open::<R>(level, None)?.validate_alone()?;
@@ -139,6 +146,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     }
 
     /// Checks all but what is in levels of detail.
+    #[inline(never)]
     fn validate_alone(&self) -> Result<(), Error> {
         validate::sections(self.bytes)?;
         self.shape.validate(self.bytes)

@@ -5,6 +5,12 @@ use crate::error::Error;
 use crate::layout::{MAX_LODS, header, section as kind};
 use crate::section;
 
+/// Whether a file announces levels. Not inlined: its stack is not that of the checks.
+#[inline(never)]
+pub(crate) fn has_levels(file: &[u8]) -> bool {
+    section::find(file, kind::LODS).is_ok()
+}
+
 /// The levels in what there is of a file whose section table is sound, each the bytes of a file; coarsest first, as they lie
 /// there. Ends where no whole one follows, and after the most that there may be.
 pub(crate) fn levels(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
@@ -24,18 +30,15 @@ pub(crate) fn level(bytes: &[u8], number: usize) -> Option<&[u8]> {
     levels(bytes).nth(index)
 }
 
-/// Checks that levels tile their section, and are levels of this field. Whether each is a valid file is another question.
+/// Checks that the levels of a file that has some tile their section, and are levels of this field. Whether each is a valid file
+/// is another question.
 pub(crate) fn check(bytes: &[u8]) -> Result<(), Error> {
-    let Ok(section) = section::find(bytes, kind::LODS) else {
-        return Ok(());
-    };
     let length: usize = levels(bytes).map(<[u8]>::len).sum();
-    if length == 0 || length != section.range.len() {
+    if length == 0 || length != section::find_bytes(bytes, kind::LODS)?.len() {
         return Err(Error::LodLength);
     }
 
     let identity = |file| (u8_at(file, header::FAMILY), u32_at(file, header::DIAGONAL));
-    let has_levels = |file| section::find(file, kind::LODS).is_ok();
     if levels(bytes).any(|level| identity(level) != identity(bytes) || has_levels(level)) {
         return Err(Error::LodHeader);
     }

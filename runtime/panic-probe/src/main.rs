@@ -25,7 +25,9 @@ pub extern "C" fn entry() -> ! {
     loop {
         if let Ok(field) = Field::open(bytes) {
             query(field, black_box([0.0; 3]));
+            black_box((field.lod(black_box(1)), field.lod_count(), field.lod_within(black_box(0.0)), field.bytes()));
         }
+        let _ = black_box(Field::open_prefix(bytes));
         #[cfg(feature = "control")]
         black_box(bytes[black_box(5)]);
     }
