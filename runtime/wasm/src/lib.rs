@@ -123,7 +123,7 @@ pub unsafe extern "C" fn distances(field: &Field, points: *const [f32; 3], dista
     // SAFETY: the caller says that so many points are there, and room for as many distances.
     let (points, distances) =
         unsafe { (slice::from_raw_parts(points, count), slice::from_raw_parts_mut(distances, count)) };
-    field.distances(points, distances);
+    family::distances(field, points, distances);
 }
 
 /// [`Field::distances_and_gradients`] of `count` points.
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn distances_and_gradients(
             slice::from_raw_parts_mut(gradients, count),
         )
     };
-    field.distances_and_gradients(points, distances, gradients);
+    family::distances_and_gradients(field, points, distances, gradients);
 }
 
 /// [`Field::raycast`] of a `ray`: origin, direction, length, within. Writes to `hit`: distance, point, normal.
