@@ -1,9 +1,10 @@
-"""A baked field beside MuJoCo's own octree of the same mesh, in one process: `run measure [MESH]`.
+"""Baked fields beside MuJoCo's own octree of the same mesh, in one process: `run measure [MESH]`.
 
 Bytes, seconds to make ready, errors against libigl's exact distances, nanoseconds a query in C, and a scene: two bodies fall on a
 plane and on one another. The machine may be busy: times are of this thread's CPU, the least of several interleaved rounds."""
 
 import ctypes
+import functools
 import os
 import re
 import sys
@@ -17,9 +18,17 @@ import numpy as np
 from conftest import HERE, SPOT, bake
 
 DEPTHS = (5, 6, 7)
-TARGETS = [1.6e-3 / 2**step for step in range(12)]
+# Families of fields: how they are baked but for one number, and that from coarse to fine.
+TARGETS = [f"{1.6e-3 / 2 ** (step / 2):.2g}" for step in range(20)]
+GRID = "--layout grid --order 0 --sampling fitted --range file --margin 0.02 --resolution"
+FAMILIES = {
+    "--error": TARGETS,
+    "--continuity none --error": TARGETS,
+    GRID: [str(resolution) for resolution in range(20, 128, 2)],
+}
 POINTS = 100_000
 ROUNDS = 7
+FALLS = 3
 
 asking = ctypes.CDLL(os.environ["NEARFIELD_MEASURE"])
 
@@ -45,8 +54,9 @@ def address_of(array):
 class Shape:
     """A geom of a compiled model, with what its making took."""
 
-    def __init__(self, name, text, depth):
+    def __init__(self, name, text, depth=1):
         self.name = name
+        self.baked = None
         spec = mujoco.MjSpec.from_string(text)
         for mesh in spec.meshes:
             mesh.octree_maxdepth = depth
@@ -54,12 +64,8 @@ class Shape:
         self.model = spec.compile()
         self.data = mujoco.MjData(self.model)
         self.seconds = time.process_time() - start
+        self.bytes = sum(getattr(self.model, f"oct_{part}").nbytes for part in ("depth", "child", "aabb", "coeff"))
         self.nanoseconds = {}
-
-    def octree_bytes(self):
-        """Of MuJoCo's own octree."""
-        model = self.model
-        return sum(array.nbytes for array in (model.oct_depth, model.oct_child, model.oct_aabb, model.oct_coeff))
 
     def ask(self, what, points):
         """Distances or gradients at points in the frame of the mesh, and the CPU seconds that they took."""
@@ -93,15 +99,43 @@ def fall(shape, vertices, triangles, seconds=4.0):
     model, data = shape.model, mujoco.MjData(shape.model)
     steps, deepest, taken = round(seconds / model.opt.timestep), 0.0, 0.0
     for _ in range(steps):
-        start = time.process_time()
+        start = time.thread_time()
         mujoco.mj_step(model, data)
-        taken += time.process_time() - start
+        taken += time.thread_time() - start
         between = [contact.dist for contact in data.contact[: data.ncon] if (contact.geom > 0).all()]
         deepest = min([deepest, *between])
     placed = [vertices @ data.xmat[body].reshape(3, 3).T + data.xpos[body] for body in (1, 2)]
     sign = igl.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
     overlap = igl.signed_distance(placed[1], placed[0], triangles, sign_type=sign)[0].min()
     return taken / steps * 1e3, -deepest, -overlap
+
+
+def children_seconds():
+    """CPU seconds of the programs that were run."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
+@functools.cache
+def field(scene, options):
+    """A scene with a field of the mesh, baked so."""
+    name = f"spot{options.replace(' ', '')}.nfd"
+    start = children_seconds()
+    bake("spot.obj", name, *options.split())
+    baked = children_seconds() - start
+    shape = Shape(f"`{options}`", scene.replace("spot.nfd", name))
+    shape.baked, shape.bytes = baked, os.path.getsize(name)
+    return shape
+
+
+def row(shape, errors, falls):
+    """What was measured of a shape, as a line of a table."""
+    step, deepest, overlap = min(falls)
+    cells = [shape.name, f"{shape.bytes:_}".replace("_", " "), "" if shape.baked is None else f"{shape.baked:.1f}",
+             f"{shape.seconds:.2f}", *(f"{rmse:.1e} / {largest:.1e}" for rmse, largest in errors.values()),
+             *(f"{nanoseconds:.0f}" for nanoseconds in shape.nanoseconds.values()),
+             f"{step:.2f}", f"{deepest:.4f}", f"{overlap:.4f}"]
+    return "| " + " | ".join(cells) + " |"
 
 
 def main(mesh):
@@ -115,42 +149,34 @@ def main(mesh):
     sign = igl.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
     exact = {kind: igl.signed_distance(chosen, vertices, triangles, sign_type=sign)[0] for kind, chosen in points.items()}
 
+    @functools.cache
     def errors_of(shape):
         return {kind: shape.errors(points[kind], exact[kind], diagonal) for kind in points}
+
+    def is_as_exact(shape, other):
+        """In all four measures."""
+        return all(ours <= theirs for kind in points for ours, theirs in zip(errors_of(shape)[kind], errors_of(other)[kind]))
 
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         igl.write_triangle_mesh("spot.obj", vertices, triangles)
-        fields = []
         print("| shape | bytes | bake, CPU s | compile, CPU s | uniform RMSE / max | band RMSE / max "
               "| ns, uniform | +gradient | ns, band | +gradient | ms a step | deepest contact | overlap at rest |")
         print("|" + " --- |" * 13)
         for depth in DEPTHS:
             octree = Shape(f"octree, depth {depth}", with_octree, depth)
-            wanted = errors_of(octree)
+            shapes = [octree]
+            for family, numbers in FAMILIES.items():
+                fields = (field(with_field, f"{family} {number}") for number in numbers)
+                shapes.append(next(shape for shape in fields if is_as_exact(shape, octree)))
 
-            # The coarsest field that is at least as exact in all four measures.
-            for place, target in enumerate(TARGETS):
-                if place == len(fields):
-                    start = os.times()
-                    bake("spot.obj", "spot.nfd", "--error", f"{target:g}")
-                    end = os.times()
-                    baked = end.children_user + end.children_system - start.children_user - start.children_system
-                    field = Shape(f"field, --error {target:g}", with_field, 1)
-                    fields.append((field, os.path.getsize("spot.nfd"), baked, errors_of(field)))
-                field, size, baked, reached = fields[place]
-                if all(ours <= theirs for kind in points for ours, theirs in zip(reached[kind], wanted[kind])):
-                    break
-
-            time_queries([octree, field], points)
-            rows = [(octree, octree.octree_bytes(), None, wanted), (field, size, baked, reached)]
-            for shape, size_of, baked_in, errors in rows:
-                step, deepest, overlap = fall(shape, vertices, triangles)
-                times = [f"{shape.nanoseconds[kind, what]:.0f}" for kind in points for what in ("distances", "gradients")]
-                cells = [shape.name, f"{size_of:_}".replace("_", " "), "" if baked_in is None else f"{baked_in:.1f}",
-                         f"{shape.seconds:.2f}", *(f"{errors[kind][0]:.1e} / {errors[kind][1]:.1e}" for kind in points),
-                         *times, f"{step:.2f}", f"{deepest:.4f}", f"{overlap:.4f}"]
-                print("| " + " | ".join(cells) + " |", flush=True)
+            time_queries(shapes, points)
+            falls = {shape: [] for shape in shapes}
+            for _ in range(FALLS):
+                for shape in shapes:
+                    falls[shape].append(fall(shape, vertices, triangles))
+            for shape in shapes:
+                print(row(shape, errors_of(shape), falls[shape]), flush=True)
 
 
 if __name__ == "__main__":

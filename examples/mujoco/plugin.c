@@ -9,6 +9,7 @@
 #include <mujoco/mujoco.h>
 #include <nearfield.h>
 #include <pthread.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -166,21 +167,68 @@ static void destroy(mjData *data, int instance) {
 }
 
 static NearfieldVector in_field(const Shape *shape, const mjtNum point[3]) {
-    mjtNum turned[3];
-    mju_mulMatVec3(turned, shape->rotation, point);
-    mju_addTo3(turned, shape->position);
-    return vector(turned);
+    mjtNum placed[3];
+    for (int axis = 0; axis < 3; axis++) {
+        const mjtNum *row = shape->rotation + 3 * axis;
+        placed[axis] = row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + shape->position[axis];
+    }
+    return vector(placed);
+}
+
+/* A point that a shape was asked at, and what is known there. */
+typedef struct Question {
+    const NearfieldField *field;
+    NearfieldVector point;
+    enum { NOTHING, DISTANCE, GRADIENT } known;
+    NearfieldSample answer;
+    NearfieldCursor cursor;
+} Question;
+
+static bool is_about(const Question *question, const NearfieldField *field, NearfieldVector point) {
+    return question->field == field && question->point.x == point.x && question->point.y == point.y &&
+           question->point.z == point.z;
+}
+
+/* To find a contact MuJoCo descends on a pair of shapes. It asks them by turns, each up to four times at a point where it
+ * stands, then at ten or so that come ever nearer to it: so a thread remembers what it asked of either, and a cursor the leaf. */
+static Question *ask(const Shape *shape, const mjtNum point[3]) {
+    static _Thread_local struct {
+        Question questions[2];
+        int latest;
+    } asked;
+    const NearfieldField *field = shape->field;
+    const NearfieldVector at = in_field(shape, point);
+    Question *latest = &asked.questions[asked.latest];
+    if (is_about(latest, field, at)) return latest;
+
+    asked.latest = 1 - asked.latest;
+    Question *question = &asked.questions[asked.latest];
+    if (is_about(question, field, at)) return question;
+    if (question->field != field) nearfield_cursor(field, &question->cursor);
+    question->field = field;
+    question->point = at;
+    question->known = NOTHING;
+    return question;
 }
 
 static mjtNum sdf_distance(const mjtNum point[3], const mjData *data, int instance) {
-    const Shape *shape = (const Shape *)data->plugin_data[instance];
-    return nearfield_distance(shape->field, in_field(shape, point));
+    Question *question = ask((const Shape *)data->plugin_data[instance], point);
+    if (question->known == NOTHING) {
+        question->answer.distance = nearfield_cursor_distance(&question->cursor, question->point);
+        question->known = DISTANCE;
+    }
+    return question->answer.distance;
 }
 
 static void sdf_gradient(mjtNum gradient[3], const mjtNum point[3], const mjData *data, int instance) {
     const Shape *shape = (const Shape *)data->plugin_data[instance];
-    const NearfieldSample sample = nearfield_distance_and_gradient(shape->field, in_field(shape, point));
-    const mjtNum of_field[3] = {sample.gradient.x, sample.gradient.y, sample.gradient.z};
+    Question *question = ask(shape, point);
+    if (question->known != GRADIENT) {
+        question->answer = nearfield_cursor_distance_and_gradient(&question->cursor, question->point);
+        question->known = GRADIENT;
+    }
+    const NearfieldVector slope = question->answer.gradient;
+    const mjtNum of_field[3] = {slope.x, slope.y, slope.z};
     mju_mulMatTVec3(gradient, shape->rotation, of_field);
 }
 

@@ -1,11 +1,16 @@
-// A field as an object of three.js: its box, in whose pixels a shader traces spheres to the surface.
+// A field as an object of three.js: its box, in whose pixels a shader traces spheres to the surface. The shader reads the bytes
+// of the file as they are.
 import * as THREE from "three";
 
-/** Samples along each side of the box. The texture has 2 bytes for each. */
-const SAMPLES = 64;
+/** Texels in a row of the texture that holds a file; a texel holds 16 bytes. */
+const TEXELS_A_ROW = 2048;
 
 const vertexShader = /* glsl */ `
+  in vec3 position;
   out vec3 local;
+
+  uniform mat4 modelViewMatrix;
+  uniform mat4 projectionMatrix;
 
   void main() {
     local = position;
@@ -13,14 +18,16 @@ const vertexShader = /* glsl */ `
   }
 `;
 
-const fragmentShader = /* glsl */ `
+const precisions = /* glsl */ `
   precision highp float;
-  precision highp sampler3D;
+  precision highp int;
+  precision highp usampler2D;
+`;
 
-  uniform sampler3D distances;
+/** Follows the reader, which is of the family of the field. */
+const pixel = /* glsl */ `
   uniform vec3 boxMin;
   uniform vec3 boxMax;
-  uniform float lipschitz;
   uniform float near;
   uniform vec3 colour;
   uniform vec3 toLight;
@@ -32,22 +39,6 @@ const fragmentShader = /* glsl */ `
   in vec3 local;
   out vec4 fragment;
 
-  // The outermost samples lie on the faces of the box.
-  float field(vec3 point) {
-    vec3 share = (point - boxMin) / (boxMax - boxMin);
-    const float samples = float(${SAMPLES});
-    return texture(distances, (share * (samples - 1.0) + 0.5) / samples).r;
-  }
-
-  vec3 gradient(vec3 point) {
-    vec2 step = vec2(2.0 * near, 0.0);
-    return vec3(
-      field(point + step.xyy) - field(point - step.xyy),
-      field(point + step.yxy) - field(point - step.yxy),
-      field(point + step.yyx) - field(point - step.yyx)
-    );
-  }
-
   void main() {
     // The pixels are those of the far side of the box, so that the eye may be inside it.
     vec3 direction = normalize(local - eye);
@@ -58,11 +49,13 @@ const fragmentShader = /* glsl */ `
     float along = max(0.0, max(entry.x, max(entry.y, entry.z)));
     float end = min(exit.x, min(exit.y, exit.z));
 
+    Field field = nearfield_open();
+    float slope = max(1.0, nearfield_slope());
     for (int step = 0; step < 256; step++) {
       vec3 point = eye + along * direction;
-      float distance = field(point);
-      if (distance < near) {
-        vec3 normal = normalize(normalMatrix * gradient(point));
+      float ahead = nearfield_distance(field, point);
+      if (ahead < near) {
+        vec3 normal = normalize(normalMatrix * nearfield_evaluate(field, point).gradient);
         float light = 0.25 + 0.75 * max(0.0, dot(normal, toLight));
         fragment = vec4(colour * light, 1.0);
         // Its depth is that of the surface: meshes hide it and are hidden by it.
@@ -70,35 +63,39 @@ const fragmentShader = /* glsl */ `
         gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
         return;
       }
-      along += distance / lipschitz;
+      along += ahead / slope;
       if (along > end) break;
     }
     discard;
   }
 `;
 
+/** The family of a field, as the name of the reader in GLSL has it (SPEC.md, section 3). */
+export function familyOf(bytes) {
+  return { 1: "grid", 2: "octree", 3: "polynomial" }[bytes[16]];
+}
+
 /**
  * A mesh of three.js that shows a field. It may be moved, turned and uniformly scaled.
  *
+ * `field` was opened from `bytes`, which checked them: a shader cannot. `reader` is the text of `nearfield-FAMILY.glsl`.
  * `toLight` points to a light far away, in the frame of the camera.
  */
-export function fieldMesh(field, { colour = 0xffffff, toLight = new THREE.Vector3(0.4, 0.7, 0.6) } = {}) {
+export function fieldMesh({ bytes, field, reader, colour = 0xffffff, toLight = new THREE.Vector3(0.4, 0.7, 0.6) }) {
   const [min, max] = field.bounds.map((corner) => new THREE.Vector3(...corner));
   const size = max.clone().sub(min);
   const geometry = new THREE.BoxGeometry(...size).translate(...min.clone().add(max).multiplyScalar(0.5));
 
-  const longest = Math.max(...size);
   const material = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
-    vertexShader: `in vec3 position; uniform mat4 modelViewMatrix; uniform mat4 projectionMatrix; ${vertexShader}`,
-    fragmentShader,
+    vertexShader,
+    fragmentShader: precisions + reader + pixel,
     side: THREE.BackSide,
     uniforms: {
-      distances: { value: sample(field, min, size) },
+      nearfield_words: { value: words(bytes) },
       boxMin: { value: min },
       boxMax: { value: max },
-      lipschitz: { value: Math.max(1, field.lipschitz) },
-      near: { value: longest * 5e-4 },
+      near: { value: Math.max(...size) * 5e-4 },
       colour: { value: new THREE.Color(colour) },
       toLight: { value: toLight.clone().normalize() },
       eye: { value: new THREE.Vector3() },
@@ -112,26 +109,17 @@ export function fieldMesh(field, { colour = 0xffffff, toLight = new THREE.Vector
   return mesh;
 }
 
-/** The field on a regular grid over its box, as a texture that is filtered. */
-function sample(field, min, size) {
-  const points = new Float32Array(SAMPLES ** 3 * 3);
-  let next = 0;
-  const at = (index, axis) => min.getComponent(axis) + (index / (SAMPLES - 1)) * size.getComponent(axis);
-  for (let z = 0; z < SAMPLES; z++) {
-    for (let y = 0; y < SAMPLES; y++) {
-      for (let x = 0; x < SAMPLES; x++) {
-        points[next++] = at(x, 0);
-        points[next++] = at(y, 1);
-        points[next++] = at(z, 2);
-      }
-    }
-  }
-
-  const halves = Uint16Array.from(field.distances(points), THREE.DataUtils.toHalfFloat);
-  const texture = new THREE.Data3DTexture(halves, SAMPLES, SAMPLES, SAMPLES);
-  texture.format = THREE.RedFormat;
-  texture.type = THREE.HalfFloatType;
-  texture.minFilter = texture.magFilter = THREE.LinearFilter;
+/** A file as a texture: four words a texel, row after row, zeros at the end. Machines with a browser are little-endian. */
+function words(bytes) {
+  const texels = Math.ceil(bytes.length / 16);
+  const width = Math.min(texels, TEXELS_A_ROW);
+  const height = Math.ceil(texels / width);
+  const padded = new Uint8Array(16 * width * height);
+  padded.set(bytes);
+  const texture = new THREE.DataTexture(new Uint32Array(padded.buffer), width, height);
+  texture.format = THREE.RGBAIntegerFormat;
+  texture.type = THREE.UnsignedIntType;
+  texture.internalFormat = "RGBA32UI";
   texture.needsUpdate = true;
   return texture;
 }

@@ -1,15 +1,22 @@
 // Spot as a field, among ordinary meshes: a floor, a ring around her, and a box that she stands in.
 import { open } from "nearfield";
 import * as THREE from "three";
-import { fieldMesh } from "./field-mesh.js";
+import { familyOf, fieldMesh } from "./field-mesh.js";
 
-const response = await fetch("spot.nfd");
-if (!response.ok) throw new Error("spot.nfd is not there: npm run bake");
-const field = await open(new Uint8Array(await response.arrayBuffer()));
+async function load(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} is not there`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+// `npm run bake` makes it. Another may be named: index.html?other.nfd
+const bytes = await load(location.search.slice(1) || "spot.nfd");
+const field = await open(bytes);
+const reader = new TextDecoder().decode(await load(`node_modules/nearfield/dist/nearfield-${familyOf(bytes)}.glsl`));
 
 const toLight = new THREE.Vector3(0.4, 0.7, 0.6);
 const scene = new THREE.Scene();
-const spot = fieldMesh(field, { colour: 0xd9c7a8, toLight });
+const spot = fieldMesh({ bytes, field, reader, colour: 0xd9c7a8, toLight });
 scene.add(spot);
 
 const [min, max] = field.bounds.map((corner) => new THREE.Vector3(...corner));

@@ -105,6 +105,25 @@ pub fn render(bytes: Bytes, families: Families) -> String {
     [&reader(bytes, families), CORNER, include_str!("../wgsl/render.wgsl")].join("\n")
 }
 
+/// The reader, without an entry point, in the GLSL of WebGL 2: a shader appends its own `main` and sets `nearfield_words`.
+///
+/// # Errors
+///
+/// What naga finds wrong with the source, or a translation that is not laid out as expected.
+pub fn webgl_reader(families: Families) -> Result<String, Box<dyn Error>> {
+    let library = [&reader(Bytes::Texture, families), include_str!("../wgsl/library.wgsl")].join("\n");
+    let translated = Shader::new(&library)?.glsl("pixel", translate::GLSL_ES_300)?;
+    let translated = String::from_utf8(translated)?.replace("_group_0_binding_0_fs", "nearfield_words");
+
+    // What is before the functions and after them belongs to the entry point, and to the shader that this will be part of.
+    let (functions, _) = translated.split_once("void main()").ok_or("GLSL without an entry point")?;
+    let is_of_shader = |line: &&str| {
+        ["#version", "precision", "smooth in", "layout(location"].iter().any(|start| line.starts_with(start))
+    };
+    let lines = functions.lines().filter(|line| !is_of_shader(line)).map(|line| format!("{line}\n"));
+    Ok(lines.collect::<String>().trim().to_owned() + "\n")
+}
+
 /// A file that this package writes.
 #[derive(Clone, Debug)]
 pub struct Generated {
@@ -129,10 +148,15 @@ pub fn generate() -> Result<Vec<Generated>, Box<dyn Error>> {
     };
     let pixel =
         |families: Families| Shader::new(&render(Bytes::Texture, families))?.glsl("pixel", translate::GLSL_ES_300);
+    let webgl_file =
+        |name: &str, families: Families| Ok::<_, Box<dyn Error>>(file(name, webgl_reader(families)?.into()));
     let query = Shader::new(&query())?;
     Ok(vec![
         file("nearfield.wgsl", reader(Bytes::Buffer, Families::All).into()),
         file("nearfield_texture.wgsl", reader(Bytes::Texture, Families::All).into()),
+        webgl_file("nearfield-grid.glsl", Families::Grid)?,
+        webgl_file("nearfield-octree.glsl", Families::Octree)?,
+        webgl_file("nearfield-polynomial.glsl", Families::Polynomial)?,
         file("query.hlsl", query.hlsl()?),
         file("query.metal", query.metal()?),
         file("query.spv", query.spirv()?),

@@ -23,9 +23,6 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     core::arch::wasm32::unreachable()
 }
 
-/// Most bytes of a message of [`open`].
-const MESSAGE: usize = 256;
-
 /// Bytes that a field takes beside its file.
 #[unsafe(no_mangle)]
 pub extern "C" fn field_size() -> usize {
@@ -34,12 +31,12 @@ pub extern "C" fn field_size() -> usize {
 
 /// Opens and validates the field of `length` bytes at `file`, and puts it at `field`.
 ///
-/// Returns 0, or the length of the message at `message`, which has room for 256 bytes.
+/// Returns 0, or the length of the message why not, whose address it puts at `message`.
 ///
 /// # Safety
 /// See the module; the file stays where it is for as long as the field is used.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn open(file: *const u8, length: usize, field: *mut Field, message: *mut [u8; MESSAGE]) -> usize {
+pub unsafe extern "C" fn open(file: *const u8, length: usize, field: *mut Field, message: *mut *const u8) -> usize {
     // SAFETY: the caller says that so many bytes are there, and that they stay.
     let bytes: &'static [u8] = unsafe { slice::from_raw_parts(file, length) };
     match family::OPEN(bytes).and_then(|field| field.validate().map(|()| field)) {
@@ -49,14 +46,10 @@ pub unsafe extern "C" fn open(file: *const u8, length: usize, field: *mut Field,
             0
         }
         Err(error) => {
-            // SAFETY: the caller says that the message fits here.
-            let message = unsafe { &mut *message };
-            let text = error.text().as_bytes();
-            for (to, from) in message.iter_mut().zip(text) {
-                *to = *from;
-            }
-            // A message that is too long is cut.
-            text.len().min(MESSAGE)
+            let text = error.text();
+            // SAFETY: the caller says that an address fits here.
+            unsafe { message.write(text.as_ptr()) };
+            text.len()
         }
     }
 }
@@ -123,7 +116,7 @@ pub unsafe extern "C" fn distances(field: &Field, points: *const [f32; 3], dista
     // SAFETY: the caller says that so many points are there, and room for as many distances.
     let (points, distances) =
         unsafe { (slice::from_raw_parts(points, count), slice::from_raw_parts_mut(distances, count)) };
-    field.distances(points, distances);
+    family::distances(field, points, distances);
 }
 
 /// [`Field::distances_and_gradients`] of `count` points.
@@ -146,7 +139,7 @@ pub unsafe extern "C" fn distances_and_gradients(
             slice::from_raw_parts_mut(gradients, count),
         )
     };
-    field.distances_and_gradients(points, distances, gradients);
+    family::distances_and_gradients(field, points, distances, gradients);
 }
 
 /// [`Field::raycast`] of a `ray`: origin, direction, length, within. Writes to `hit`: distance, point, normal.

@@ -1,4 +1,4 @@
-import { BATCH, Memory, SCRATCH, type Exports } from "./memory.js";
+import { BATCH, Memory, type Exports } from "./memory.js";
 
 /** Coordinates in the units and the frame of the mesh. */
 export type Vector = readonly [x: number, y: number, z: number];
@@ -106,7 +106,8 @@ export class Field {
 
     const length = exports.open(memory.file, bytes.length, memory.field, memory.scratch);
     if (length !== 0) {
-      throw new FieldError(new TextDecoder().decode(memory.bytes(memory.scratch, Math.min(length, SCRATCH))));
+      const message = memory.data(memory.scratch, 4).getUint32(0, true);
+      throw new FieldError(new TextDecoder().decode(memory.bytes(message, length)));
     }
     return new Field(exports, memory);
   }
