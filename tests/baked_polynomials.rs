@@ -1,9 +1,10 @@
 use crate::shapes;
 use glam::DVec3;
 use nearfield::Field;
-use nearfield_bake::bake;
 use nearfield_bake::distance::{SignChoice, SignMethod, SignedDistance};
 use nearfield_bake::encode::{Provenance, encode_polynomial};
+use nearfield_bake::field_function::{FieldFunction, Sample, SampleClosure};
+use nearfield_bake::geometry::Aabb;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::polynomial::PolynomialOctree;
 use nearfield_bake::polynomial::overlap::Blend;
@@ -11,7 +12,7 @@ use nearfield_bake::progress::Silent;
 use nearfield_bake::random::Draws;
 use nearfield_bake::settings::{Continuity, Layout, PolynomialSettings, Profile, Settings, Target};
 use nearfield_bake::verify::measure;
-use nearfield_bake::{BakeError, Baked, bake_smallest};
+use nearfield_bake::{BakeError, Baked, bake, bake_function, bake_smallest};
 
 fn with_error(error: f64, polynomial: PolynomialSettings) -> Settings {
     Settings {
@@ -43,6 +44,30 @@ fn errors_keep_their_share_of_the_target_and_faces_do_not_show() {
         assert!(max <= 8.0 * error * diagonal, "{error}: max {:.2e}", max / diagonal);
         assert!(measured.seams.max <= 1e-6 * diagonal, "{error}: seam {:.2e}", measured.seams.max / diagonal);
     }
+}
+
+/// A crease between the outermost sample of a cell and its corner, where none of the samples sees it.
+#[test]
+fn the_corners_of_large_cells_are_seen() {
+    let settings = with_error(3e-4, PolynomialSettings::default());
+    let cube = Aabb::around([DVec3::ZERO, DVec3::ONE]);
+    let bake = |function: &dyn FieldFunction| bake_function(function, &cube, &settings, &Silent).expect("it bakes");
+    let corner_of = |bytes: &[u8]| Field::open(bytes).expect("a field").header().bounds.max;
+
+    let flat = bake(&SampleClosure(|_| Sample::default())).bytes;
+    let corner = DVec3::from(corner_of(&flat).map(f64::from));
+    let falling = DVec3::ONE.normalize();
+    let creased = bake(&SampleClosure(move |point: DVec3| {
+        let beyond = (point - corner).dot(falling) + 0.0105;
+        Sample { distance: -beyond.max(0.0), gradient: if beyond > 0.0 { -falling } else { DVec3::ZERO } }
+    }));
+    let field = Field::open(&creased.bytes).expect("a field");
+    assert_eq!(field.header().bounds.max, corner_of(&flat));
+
+    // Twice the greatest error of a leaf at its samples.
+    let greatest = 2.0 * 6.0 * 0.75 * 3e-4 * cube.diagonal();
+    let error = (f64::from(field.distance(corner_of(&flat))) + 0.0105).abs();
+    assert!(error <= greatest, "{error:.2e}");
 }
 
 /// An octree of Spot as the baker has it, and its bytes.

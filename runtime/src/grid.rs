@@ -241,13 +241,6 @@ impl<'a> Grid<'a> {
         (number(vertex, self.steps), self.steps)
     }
 
-    /// Whether a point lies in the box, faces included. False for a NaN.
-    #[inline]
-    pub(crate) fn contains(&self, [x, y, z]: [f32; 3]) -> bool {
-        let Aabb { min, max } = &self.bounds;
-        (x >= min[0]) & (x <= max[0]) & (y >= min[1]) & (y <= max[1]) & (z >= min[2]) & (z <= max[2])
-    }
-
     /// The cell that holds a point of the box, by its least vertex, and where in it the point is, 0 to 1.
     #[inline]
     pub(crate) fn locate(&self, point: [f32; 3]) -> ([u32; 3], [f32; 3]) {

@@ -1,7 +1,7 @@
 //! From the words of a grid's samples to polynomials.
 
 use crate::grid::{Grid, GridPrecision};
-use crate::hermite::{Corners, Jets};
+use crate::hermite::Corners;
 use crate::layout::packed_sample;
 use crate::polynomial::{AXES, NO_AXIS, Polynomial, TERMS};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
@@ -13,7 +13,7 @@ pub(crate) struct PackedCorners {
     bases: [i32; 8],
 }
 
-/// First-order samples at the corners of a cell: distances, and derivatives by the local x, y, z.
+/// First-order samples at the corners of a cell: distances, mesh units, and derivatives by x, y, z, without unit.
 pub(crate) struct FirstOrder {
     pub(crate) distance: Corners,
     pub(crate) gradient: [Corners; 3],
@@ -21,40 +21,16 @@ pub(crate) struct FirstOrder {
 
 impl FirstOrder {
     pub(crate) const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
-
-    /// The polynomial of a corner at an offset from it, its slope times a share.
-    #[inline]
-    pub(crate) fn value_from(&self, corner: usize, [x, y, z]: [f32; 3], share: f32) -> f32 {
-        let [by_x, by_y, by_z] = &self.gradient;
-        self.distance[corner] + share * (by_x[corner] * x + by_y[corner] * y + by_z[corner] * z)
-    }
-
-    /// The jets of the corners, with mixed derivatives of zero.
-    #[inline]
-    pub(crate) fn jets(&self) -> Jets {
-        let [by_x, by_y, by_z] = &self.gradient;
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner: usize| {
-            // The mask shows the compiler that no index can fail.
-            let corner = corner & 7;
-            // Counting derivations 4 x + 2 y + z.
-            [self.distance[corner], by_z[corner], by_y[corner], 0.0, by_x[corner], 0.0, 0.0, 0.0]
-        })
-    }
 }
 
-/// Decodes packed samples; `scale` holds the spacings and the distance quantum. One plain loop that ends in memory, which
-/// compilers turn into vectors where they do not inline it.
+/// Decodes packed samples. One plain loop that ends in memory, which compilers turn into vectors where they do not inline it.
 #[inline(never)]
-fn decode_packed(words: &[u32; 8], bases: &[i32; 8], scale: &[f32; 4], corners: &mut FirstOrder) {
-    let [scale_x, scale_y, scale_z, quantum] = *scale;
+fn decode_packed(words: &[u32; 8], bases: &[i32; 8], quantum: f32, corners: &mut FirstOrder) {
     let [by_x, by_y, by_z] = &mut corners.gradient;
     for corner in 0..8 {
         let word = words[corner];
         corners.distance[corner] = decode_distance(bases[corner], word >> packed_sample::DISTANCE_SHIFT, quantum);
-        let [x, y, z] = decode_gradient(word);
-        by_x[corner] = x * scale_x;
-        by_y[corner] = y * scale_y;
-        by_z[corner] = z * scale_z;
+        [by_x[corner], by_y[corner], by_z[corner]] = decode_gradient(word);
     }
 }
 
@@ -95,8 +71,8 @@ impl Grid<'_> {
         decode_distance(self.base(at), code, self.quantum)
     }
 
-    /// Writes the samples at the corners of a cell of a grid of order 1, derivatives by local coordinates. Returned by
-    /// value they would lie twice on the stack of a microcontroller.
+    /// Writes the samples at the corners of a cell of a grid of order 1. Returned by value they would lie twice on the
+    /// stack of a microcontroller.
     #[inline]
     pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
@@ -111,8 +87,7 @@ impl Grid<'_> {
     /// The same of samples that were read before.
     #[inline]
     pub(crate) fn decode(&self, PackedCorners { words, bases }: &PackedCorners, corners: &mut FirstOrder) {
-        let [x, y, z] = self.spacing();
-        decode_packed(words, bases, &[x, y, z, self.quantum], corners);
+        decode_packed(words, bases, self.quantum, corners);
     }
 
     /// Reads the packed samples at the corners of a cell of a grid of order 1.
@@ -142,7 +117,9 @@ impl Grid<'_> {
     #[inline(never)]
     fn read_wide_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         for corner in 0..8 {
-            let Polynomial([distance, x, y, z, ..]) = self.polynomial(Self::corner(cell, corner));
+            let mut numbers = [0.0; TERMS];
+            self.read_stored(Self::corner(cell, corner), &mut numbers);
+            let [distance, x, y, z, ..] = numbers;
             // The mask shows the compiler that no index can fail.
             let corner = corner as usize & 7;
             corners.distance[corner] = distance;
@@ -168,22 +145,37 @@ impl Grid<'_> {
         [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.polynomial(Self::corner(cell, corner)))
     }
 
-    /// A sample of any order (SPEC.md §11.3).
+    /// A sample of any order by local coordinates (SPEC.md §11.3).
     #[inline(never)]
     pub(crate) fn polynomial(&self, at: [u32; 3]) -> Polynomial {
         let mut numbers = [0.0; TERMS];
+        self.read_stored(at, &mut numbers);
+
+        // By the spacing along the first axis, and by those along the others in units of the greatest.
+        let [x, y, z] = self.spacing();
+        let unit = self.unit();
+        let (spacing, ratio) = ([x, y, z, 1.0], [x / unit, y / unit, z / unit, 1.0]);
+        for (number, [a, b, c]) in numbers.iter_mut().zip(&AXES) {
+            // The masks show the compiler that no index can fail.
+            *number *= spacing[a & NO_AXIS] * ratio[b & NO_AXIS] * ratio[c & NO_AXIS];
+        }
+        Polynomial(numbers)
+    }
+
+    /// The coefficients of a sample of any order as they are stored; those that it does not have are left alone.
+    #[inline(never)]
+    fn read_stored(&self, at: [u32; 3], numbers: &mut [f32; TERMS]) {
         let (index, _) = self.index(at);
         let count = match self.order() {
             0 => {
                 numbers[0] = self.lone_distance(at);
-                return Polynomial(numbers);
+                return;
             }
             1 => 4,
             2 => 10,
             _ => TERMS,
         };
 
-        // Numbers as stored.
         let data = self.samples.tail(index * (self.halves_per_sample() / 2) as usize);
         let is_packed = self.precision == GridPrecision::Packed32;
         for (place, number) in numbers.iter_mut().enumerate().take(count) {
@@ -203,15 +195,5 @@ impl Grid<'_> {
                 [numbers[1], numbers[2], numbers[3]] = decode_gradient(word);
             }
         }
-
-        // To local coordinates: by the spacing along the first axis, and by those along the others in units of the greatest.
-        let [x, y, z] = self.spacing();
-        let unit = self.unit();
-        let (spacing, ratio) = ([x, y, z, 1.0], [x / unit, y / unit, z / unit, 1.0]);
-        for (number, [a, b, c]) in numbers.iter_mut().zip(&AXES) {
-            // The masks show the compiler that no index can fail.
-            *number *= spacing[a & NO_AXIS] * ratio[b & NO_AXIS] * ratio[c & NO_AXIS];
-        }
-        Polynomial(numbers)
     }
 }

@@ -15,6 +15,15 @@ pub struct Aabb {
     pub max: [f32; 3],
 }
 
+impl Aabb {
+    /// Whether a point lies in the box, faces included. False for a NaN.
+    #[inline]
+    pub fn contains(&self, [x, y, z]: [f32; 3]) -> bool {
+        let Self { min, max } = self;
+        (x >= min[0]) & (x <= max[0]) & (y >= min[1]) & (y <= max[1]) & (z >= min[2]) & (z <= max[2])
+    }
+}
+
 /// How a field is represented.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

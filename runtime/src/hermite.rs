@@ -27,14 +27,14 @@ struct Face {
 type Edge = [f32; 4];
 
 /// For x, y, z and nothing: weights of the values at both ends of an axis, then of the slopes.
-type Weights = [[f32; 4]; 4];
+pub(crate) type Weights = [[f32; 4]; 4];
 
 // The functions that follow stay apart and end in memory: so compilers find their four-wide form, which they lose where
 // they inline them.
 
 /// The cubic Hermite basis.
 #[inline(never)]
-fn basis(local: &[f32; 4], weights: &mut Weights) {
+pub(crate) fn basis(local: &[f32; 4], weights: &mut Weights) {
     for (axis, &t) in local.iter().enumerate() {
         let rest = 1.0 - t;
         let end = t * t * (3.0 - 2.0 * t);
@@ -47,7 +47,7 @@ fn basis(local: &[f32; 4], weights: &mut Weights) {
 
 /// Its derivative.
 #[inline(never)]
-fn basis_derivative(local: &[f32; 4], weights: &mut Weights) {
+pub(crate) fn basis_derivative(local: &[f32; 4], weights: &mut Weights) {
     for (axis, &t) in local.iter().enumerate() {
         let end = 6.0 * t * (1.0 - t);
         weights[0][axis] = -end;

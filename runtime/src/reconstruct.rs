@@ -2,9 +2,7 @@
 
 use crate::grid::{Grid, Reconstruction};
 use crate::grid_sample::FirstOrder;
-use crate::hermite::{
-    Corners, mix, tricubic, tricubic_and_derivatives, trilinear, trilinear_and_derivatives, trilinear_sum,
-};
+use crate::hermite::{self, Corners, Weights as Basis, trilinear, trilinear_and_derivatives, trilinear_sum};
 use crate::polynomial::triquintic;
 
 /// Every term of a polynomial as it is.
@@ -44,56 +42,123 @@ impl Weights {
     }
 }
 
-/// A point of a cell of first-order samples.
-struct Place {
-    local: [f32; 3],
-    weights: [Weights; 3],
-    /// Share of its slope that a sample contributes.
-    share: f32,
-}
+/// A number for each end y and z of a cell, at `2 y + z`.
+type Face = [f32; 4];
 
-/// What is left of a cell's first-order samples when x is given, at `2 y + z`: the value, and the derivatives by local
-/// coordinates that the samples' own slopes give.
-struct Face {
-    value: [f32; 4],
-    by_x: [f32; 4],
-    by_y: [f32; 4],
-    by_z: [f32; 4],
-}
-
-impl Face {
-    const ZERO: Self = Self { value: [0.0; 4], by_x: [0.0; 4], by_y: [0.0; 4], by_z: [0.0; 4] };
-    /// Where its four ends lie.
-    const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
-    const Z: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
-}
-
-// The two functions that follow stay apart and end in memory: so compilers find their four-wide form.
-
-/// The values of a face.
+/// The weights of the far ends where those of a grid are smooth (SPEC.md §11.4), and their derivatives.
 #[inline(never)]
-fn values_at_x(corners: &FirstOrder, place: &Place, face: &mut Face) {
-    let Place { local: [x, y, z], weights: [Weights { value: [near, far], .. }, ..], share } = *place;
-    for end in 0..4 {
-        let (from_y, from_z) = (y - Face::Y[end], z - Face::Z[end]);
-        let at = |corner: usize, from_x: f32| corners.value_from(corner, [from_x, from_y, from_z], share);
-        face.value[end] = at(end, x) * near + at(4 + end, x - 1.0) * far;
+fn smooth_weights(local: &[f32; 4], far: &mut [f32; 4], change: &mut [f32; 4]) {
+    for (axis, &t) in local.iter().enumerate() {
+        far[axis] = t * t * (3.0 - 2.0 * t);
+        change[axis] = 6.0 * t * (1.0 - t);
     }
 }
 
-/// The derivatives of a face.
+/// The basis of polynomials with these weights, of whose slopes a share counts: that share times the spacing is `slope`.
 #[inline(never)]
-fn slopes_at_x(corners: &FirstOrder, place: &Place, face: &mut Face) {
-    let Place { local: [x, y, z], weights: [Weights { value: [near, far], derivative }, ..], share } = *place;
-    let [slope_x, slope_y, slope_z] = &corners.gradient;
-    for end in 0..4 {
-        let (from_y, from_z) = (y - Face::Y[end], z - Face::Z[end]);
-        let at = |corner: usize, from_x: f32| corners.value_from(corner, [from_x, from_y, from_z], share);
-        let own = |slopes: &Corners| share * (slopes[end] * near + slopes[4 + end] * far);
-        face.by_x[end] = at(end, x) * derivative[0] + at(4 + end, x - 1.0) * derivative[1] + own(slope_x);
-        face.by_y[end] = own(slope_y);
-        face.by_z[end] = own(slope_z);
+fn weighted_basis(local: &[f32; 4], far: &[f32; 4], slope: &[f32; 4], basis: &mut Basis) {
+    for (axis, &t) in local.iter().enumerate() {
+        let near = 1.0 - far[axis];
+        basis[0][axis] = near;
+        basis[1][axis] = far[axis];
+        basis[2][axis] = slope[axis] * (t * near);
+        basis[3][axis] = slope[axis] * ((t - 1.0) * far[axis]);
     }
+}
+
+/// Its derivative.
+#[inline(never)]
+fn weighted_basis_derivative(local: &[f32; 4], far: &[f32; 4], change: &[f32; 4], slope: &[f32; 4], basis: &mut Basis) {
+    for (axis, &t) in local.iter().enumerate() {
+        basis[0][axis] = -change[axis];
+        basis[1][axis] = change[axis];
+        basis[2][axis] = slope[axis] * ((1.0 - far[axis]) - t * change[axis]);
+        basis[3][axis] = slope[axis] * (far[axis] + (t - 1.0) * change[axis]);
+    }
+}
+
+/// Slopes by mesh units instead of by the spacing.
+#[inline(never)]
+fn scale_slopes(basis: &mut Basis, spacing: &[f32; 4]) {
+    for (axis, spacing) in spacing.iter().enumerate() {
+        basis[2][axis] *= spacing;
+        basis[3][axis] *= spacing;
+    }
+}
+
+// Every reconstruction of first-order samples is the tensor product of a basis along the three axes, without the mixed
+// derivatives; they differ in nothing but the basis. Corners beyond a face of the cell weigh exactly nothing on it, and sums
+// pair the ends of one axis after another: both cells at a face have the same bits there.
+
+/// The samples weighed by a basis, the ends y and z still apart: so compilers find the four-wide form.
+#[inline(never)]
+fn weigh(corners: &FirstOrder, basis: &Basis, face: &mut Face) {
+    let [x, y, z] = axes(basis);
+    let across = Across::new(y, z);
+    for (lane, sum) in face.iter_mut().enumerate() {
+        *sum = across.weigh(corners.along_x(x, lane), lane);
+    }
+}
+
+/// The same, and with the basis of one axis after another replaced by its derivative.
+#[inline(never)]
+fn weigh_each(corners: &FirstOrder, basis: &Basis, derivative: &Basis, faces: &mut [Face; 4]) {
+    let ([x, y, z], [by_x, by_y, by_z]) = (axes(basis), axes(derivative));
+    let (across, across_by_y, across_by_z) = (Across::new(y, z), Across::new(by_y, z), Across::new(y, by_z));
+    let [value, slope_x, slope_y, slope_z] = faces;
+    for lane in 0..4 {
+        let edge = corners.along_x(x, lane);
+        value[lane] = across.weigh(edge, lane);
+        slope_x[lane] = across.weigh(corners.along_x(by_x, lane), lane);
+        slope_y[lane] = across_by_y.weigh(edge, lane);
+        slope_z[lane] = across_by_z.weigh(edge, lane);
+    }
+}
+
+/// The basis of each axis: values near and far, slopes near and far.
+#[inline]
+fn axes(basis: &Basis) -> [[f32; 4]; 3] {
+    [basis.map(|row| row[0]), basis.map(|row| row[1]), basis.map(|row| row[2])]
+}
+
+impl FirstOrder {
+    /// Value and derivatives by y and z of one of the edges along x.
+    #[inline]
+    fn along_x(&self, [near, far, near_slope, far_slope]: [f32; 4], lane: usize) -> [f32; 3] {
+        let Self { distance, gradient: [by_x, by_y, by_z] } = self;
+        let mix = |numbers: &Corners| near * numbers[lane] + far * numbers[4 + lane];
+        let value =
+            (near * distance[lane] + near_slope * by_x[lane]) + (far * distance[4 + lane] + far_slope * by_x[4 + lane]);
+        [value, mix(by_y), mix(by_z)]
+    }
+}
+
+/// Products of the basis of y and that of z: of both values, and of the slope of either with the value of the other.
+struct Across {
+    values: Face,
+    slope_y: Face,
+    slope_z: Face,
+}
+
+impl Across {
+    #[inline]
+    fn new([y, far_y, slope_y, far_slope_y]: [f32; 4], [z, far_z, slope_z, far_slope_z]: [f32; 4]) -> Self {
+        Self {
+            values: [y * z, y * far_z, far_y * z, far_y * far_z],
+            slope_y: [slope_y * z, slope_y * far_z, far_slope_y * z, far_slope_y * far_z],
+            slope_z: [y * slope_z, y * far_slope_z, far_y * slope_z, far_y * far_slope_z],
+        }
+    }
+
+    #[inline]
+    fn weigh(&self, [value, by_y, by_z]: [f32; 3], lane: usize) -> f32 {
+        value * self.values[lane] + (by_y * self.slope_y[lane] + by_z * self.slope_z[lane])
+    }
+}
+
+#[inline]
+fn sum([a, b, c, d]: Face) -> f32 {
+    (a + c) + (b + d)
 }
 
 /// The polynomials of the corners at one point: mesh units, slopes by local coordinates.
@@ -139,31 +204,54 @@ impl Grid<'_> {
     }
 
     /// Value between first-order samples.
-    #[inline(never)]
-    pub(crate) fn value_between(&self, corners: &FirstOrder, local: [f32; 3]) -> f32 {
-        match self.reconstruction() {
-            Reconstruction::Hermite => tricubic(&corners.jets(), local),
-            _ => first_order_value(corners, &self.place(local)),
-        }
-    }
-
-    /// Value and derivatives by local coordinates between first-order samples.
-    #[inline(never)]
-    pub(crate) fn value_and_slopes_between(&self, corners: &FirstOrder, local: [f32; 3]) -> (f32, [f32; 3]) {
-        match self.reconstruction() {
-            Reconstruction::Hermite => tricubic_and_derivatives(&corners.jets(), local),
-            _ => first_order_value_and_slopes(corners, &self.place(local)),
-        }
-    }
-
-    /// What a first-order reconstruction makes of a point.
     #[inline]
-    fn place(&self, local: [f32; 3]) -> Place {
-        let [_, share, ..] = self.factors();
-        let ([x, y, z], smoothness) = (local, self.smoothness());
-        // Each by its name: of an array compilers make a call.
-        let weights = [Weights::new(smoothness, x), Weights::new(smoothness, y), Weights::new(smoothness, z)];
-        Place { local, weights, share }
+    pub(crate) fn value_between(&self, corners: &FirstOrder, local: [f32; 3]) -> f32 {
+        let (mut basis, mut face) = (Basis::default(), Face::default());
+        self.basis(local, &mut basis, None);
+        weigh(corners, &basis, &mut face);
+        sum(face)
+    }
+
+    /// Value, with the bits of [`Self::value_between`], and derivatives by local coordinates.
+    #[inline]
+    pub(crate) fn value_and_slopes_between(&self, corners: &FirstOrder, local: [f32; 3]) -> (f32, [f32; 3]) {
+        let (mut basis, mut derivative, mut faces) = (Basis::default(), Basis::default(), [Face::default(); 4]);
+        self.basis(local, &mut basis, Some(&mut derivative));
+        weigh_each(corners, &basis, &derivative, &mut faces);
+        let [value, by_x, by_y, by_z] = faces.map(sum);
+        (value, [by_x, by_y, by_z])
+    }
+
+    /// The basis at a point of a cell, and its derivatives by local coordinates.
+    #[inline]
+    fn basis(&self, [x, y, z]: [f32; 3], basis: &mut Basis, derivative: Option<&mut Basis>) {
+        let (local, slope) = ([x, y, z, 0.0], self.slope_scale());
+        if self.reconstruction() == Reconstruction::Hermite {
+            hermite::basis(&local, basis);
+            scale_slopes(basis, &slope);
+            if let Some(derivative) = derivative {
+                hermite::basis_derivative(&local, derivative);
+                scale_slopes(derivative, &slope);
+            }
+            return;
+        }
+
+        let (mut far, mut change) = (local, [1.0; 4]);
+        if self.smoothness() > 0 {
+            smooth_weights(&local, &mut far, &mut change);
+        }
+        weighted_basis(&local, &far, &slope, basis);
+        if let Some(derivative) = derivative {
+            weighted_basis_derivative(&local, &far, &change, &slope, derivative);
+        }
+    }
+
+    /// By what the slope of a sample along each axis is multiplied.
+    #[inline]
+    fn slope_scale(&self) -> [f32; 4] {
+        let ([x, y, z], share) =
+            (self.spacing(), if self.reconstruction() == Reconstruction::Half { 0.5 } else { 1.0 });
+        [share * x, share * y, share * z, 0.0]
     }
 
     /// The reconstructions that are not built for speed.
@@ -236,34 +324,4 @@ impl Grid<'_> {
 #[inline(never)]
 fn rare_sum(corners: &Corners, x: [f32; 2], y: [f32; 2], z: [f32; 2]) -> f32 {
     trilinear_sum(corners, x, y, z)
-}
-
-/// Value between first-order samples.
-#[inline]
-fn first_order_value(corners: &FirstOrder, place: &Place) -> f32 {
-    let mut face = Face::ZERO;
-    values_at_x(corners, place, &mut face);
-    let [_, y, z] = place.weights;
-    face_sum(&face.value, y.value, z.value)
-}
-
-/// Value, with the bits of [`first_order_value`], and derivatives by local coordinates.
-#[inline]
-fn first_order_value_and_slopes(corners: &FirstOrder, place: &Place) -> (f32, [f32; 3]) {
-    let mut face = Face::ZERO;
-    values_at_x(corners, place, &mut face);
-    slopes_at_x(corners, place, &mut face);
-    let [_, y, z] = place.weights;
-    let slopes = [
-        face_sum(&face.by_x, y.value, z.value),
-        face_sum(&face.value, y.derivative, z.value) + face_sum(&face.by_y, y.value, z.value),
-        face_sum(&face.value, y.value, z.derivative) + face_sum(&face.by_z, y.value, z.value),
-    ];
-    (face_sum(&face.value, y.value, z.value), slopes)
-}
-
-/// Weighted sum of the four ends of a face.
-#[inline]
-fn face_sum(&[a, b, c, d]: &[f32; 4], y: [f32; 2], z: [f32; 2]) -> f32 {
-    mix(z, [mix(y, [a, c]), mix(y, [b, d])])
 }

@@ -97,7 +97,7 @@ impl<'a> Shape<'a> for Any<'a> {
     #[inline]
     fn contains(&self, point: [f32; 3]) -> bool {
         match self {
-            Self::Grid(grid) => grid.contains(point),
+            Self::Grid(grid) => grid.bounds().contains(point),
             Self::Octree(octree) => octree.lattice.contains(point),
             Self::Polynomial(octree) => octree.lattice.contains(point),
         }
@@ -160,7 +160,7 @@ impl<'a> Shape<'a> for Grid<'a> {
 
     #[inline]
     fn contains(&self, point: [f32; 3]) -> bool {
-        self.contains(point)
+        self.bounds().contains(point)
     }
 
     #[inline]

@@ -17,7 +17,7 @@ pub fn decode_gradient(code: u32) -> [f32; 3] {
 
     // The lower half of the octahedron is folded over the edges of the square.
     let z = 1.0 - x.abs() - y.abs();
-    let fold = if z < 0.0 { -z } else { 0.0 };
+    let fold = 0.5 * (z.abs() - z);
     let x = x - fold.copysign(x);
     let y = y - fold.copysign(y);
 

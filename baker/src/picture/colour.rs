@@ -9,6 +9,9 @@ pub(super) const ISOLINE: Rgb = [96, 96, 100];
 /// Colour of the borders of leaves.
 pub(super) const CELL: Rgb = [40, 44, 52];
 
+/// Colour of places that the field does not cover.
+pub(super) const BEYOND: Rgb = [176, 176, 178];
+
 /// Colour of places whose sign is a guess.
 pub(super) const DOUBT: Rgb = [214, 12, 24];
 

@@ -36,19 +36,23 @@ pub fn slice(field: &Field<'_>, request: &Slice, truth: Option<&dyn FieldFunctio
 }
 
 /// Draws the size of the error of a slice, white where there is none, and below it what the colours mean, mesh units.
-/// The surface is black, and red is where the sign of the truth is a guess.
+/// The surface is black, red is where the sign of the truth is a guess, and grey is outside the field's box, where its
+/// answers are bounds and not distances.
 pub fn error_map(field: &Field<'_>, request: &Slice, truth: &dyn FieldFunction) -> Image {
     let section = Section::of(field, request);
     let raster = &section.raster;
     let points: Vec<DVec3> =
         section.rows.iter().flatten().map(|point| DVec3::from_array(point.map(f64::from))).collect();
     let exact = truth.sample_all(&points);
-    let errors: Vec<f64> =
-        raster.distances.iter().zip(exact).map(|(&found, exact)| (f64::from(found) - exact.distance).abs()).collect();
+    let bounds = field.header().bounds;
+    let errors: Vec<Option<f64>> = (section.rows.iter().flatten().zip(&raster.distances).zip(exact))
+        .map(|((&point, &found), exact)| bounds.contains(point).then(|| (f64::from(found) - exact.distance).abs()))
+        .collect();
 
-    let greatest = round_number(errors.iter().copied().fold(f64::MIN_POSITIVE, f64::max));
+    let greatest = round_number(errors.iter().flatten().copied().fold(f64::MIN_POSITIVE, f64::max));
     let range = raster.distances.iter().fold(0.0, |range: f32, distance| range.max(distance.abs()));
-    let shade = |(index, error): (usize, &f64)| {
+    let shade = |(index, error): (usize, &Option<f64>)| {
+        let Some(error) = error else { return colour::BEYOND };
         let coverage = raster.coverage(index, f64::from(raster.distances[index]), 0.5, range.into());
         colour::mix(colour::of_error(error / greatest), colour::SURFACE, coverage)
     };

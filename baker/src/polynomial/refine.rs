@@ -1,18 +1,23 @@
 //! Cells to leaves that are good enough, level by level.
 
 use super::cells::{Cell, Cells, Content, octant};
-use super::choose::{self, Tolerance};
+use super::choose::{self, Check, Tolerance};
 use crate::field_function::{FieldFunction, Sample};
 use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::quantize::piece::{Coded, Steps};
-use crate::sampling::cell::{POINTS, Stencil};
+use crate::sampling::cell::{OUTERMOST, POINTS, Stencil};
 use glam::{DVec3, UVec3};
 use nearfield::layout::leaf::MAX_LEVELS_APART;
 use rayon::prelude::*;
 
 /// Cells whose samples are held at once.
 const BATCH: usize = 1 << 11;
+
+/// How far a corner of a cell is from the nearest sample, in edges.
+const FARTHEST_FROM_SAMPLES: f64 = 0.5 * (1.0 - OUTERMOST) * 1.732_050_8;
+/// Greatest error of a leaf at a corner of its cell, in greatest errors at its samples.
+const CORNER_MAX: f64 = 2.0;
 
 /// What leaves must achieve.
 #[derive(Clone, Copy, Debug)]
@@ -112,9 +117,16 @@ impl Refinement<'_> {
         for batch in origins.chunks(BATCH) {
             let points: Vec<DVec3> = batch.iter().flat_map(|&origin| self.points_of(&domain, origin, level)).collect();
             let samples = self.sample_all(&points);
+            let corners = self.corners_of(&domain, batch, level);
             let is_last = level == domain.depth;
-            let found: Vec<Option<Coded>> =
-                samples.par_chunks(POINTS).map(|samples| self.leaf(samples, edge, is_last)).collect();
+            let found: Vec<Option<Coded>> = samples
+                .par_chunks(POINTS)
+                .enumerate()
+                .map(|(index, samples)| {
+                    let corners = corners.get(8 * index..8 * (index + 1)).unwrap_or_default();
+                    self.leaf(samples, corners, edge, is_last)
+                })
+                .collect();
             cells.all.extend(batch.iter().zip(found).map(|(&origin, leaf)| Cell {
                 origin,
                 level,
@@ -129,6 +141,19 @@ impl Refinement<'_> {
         self.stencil.points_of(domain.point(origin) + 0.5 * edge, edge)
     }
 
+    /// The function at the corners of cells whose outermost samples may miss what happens there; nothing of smaller cells.
+    fn corners_of(&mut self, domain: &Domain, origins: &[UVec3], level: u8) -> Vec<Sample> {
+        let edge = domain.edge(level);
+        // The distance and the polynomial may both change by the way to the corner, each in its own direction.
+        if 2.0 * edge * FARTHEST_FROM_SAMPLES <= CORNER_MAX * self.demand.near.max {
+            return Vec::new();
+        }
+        let corners =
+            |&origin: &UVec3| (0..8).map(move |corner| domain.point(origin) + edge * octant(corner).as_dvec3());
+        let points: Vec<DVec3> = origins.iter().flat_map(corners).collect();
+        self.sample_all(&points)
+    }
+
     /// Samples the function.
     pub(super) fn sample_all(&mut self, points: &[DVec3]) -> Vec<Sample> {
         self.samples += points.len();
@@ -136,9 +161,16 @@ impl Refinement<'_> {
         self.function.sample_all(points)
     }
 
-    fn leaf(&self, samples: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
+    fn leaf(&self, samples: &[Sample], corners: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
         let tolerance = self.demand.of(samples);
-        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, &[], edge, tolerance);
+        let within = CORNER_MAX * tolerance.max;
+        let check = |(corner, sample): (usize, &Sample)| Check {
+            at: 2.0 * octant(corner as u32).as_dvec3() - 1.0,
+            distance: sample.distance,
+            within,
+        };
+        let checks: Vec<Check> = corners.iter().enumerate().map(check).collect();
+        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, &checks, edge, tolerance);
         cheapest.or_else(|| is_last.then(|| choose::best(&self.stencil, &self.steps, samples, tolerance)))
     }
 

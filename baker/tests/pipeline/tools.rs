@@ -118,6 +118,24 @@ fn an_error_map_is_white_where_nothing_is_wrong_and_has_a_scale() {
 }
 
 #[test]
+fn an_oblique_error_map_is_grey_outside_the_box_and_its_colours_are_those_of_the_errors_inside() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+    bench.run("bake cube.obj -o cube.nfd --max-depth 6 --samples 500").succeeds();
+    bench.run("slice cube.nfd -o errors.png --resolution 120 --normal 1,1,1 --mesh cube.obj --error-map").succeeds();
+    let (width, _, pixels) = decode(&bench.path("errors.png"));
+
+    // The box cuts a hexagon out of the plane: the corners of the picture lie outside. Were they on the scale, what is
+    // inside would be all but white.
+    let at = |index: usize| -> [u8; 3] { pixels[3 * index..][..3].try_into().unwrap() };
+    assert_eq!((at(0), at(width - 1)), ([176, 176, 178], [176, 176, 178]));
+    let light = |index: usize| at(index).into_iter().map(u32::from).sum::<u32>();
+    let inside = || (0..width * 100).filter(|&index| at(index) != at(0));
+    assert!(inside().count() > width * 50, "{} points inside", inside().count());
+    assert!(inside().any(|index| (100..300).contains(&light(index))), "the greatest error is dark");
+}
+
+#[test]
 fn a_render_shows_the_shape_and_agrees_with_the_mesh() {
     let bench = Bench::new();
     bench.write("cube.obj", CUBE);

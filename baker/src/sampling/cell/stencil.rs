@@ -9,7 +9,9 @@ use glam::DVec3;
 const PER_AXIS: usize = 5;
 /// Where they are. Middles of equal parts (0.8 and 0.4) see less of what happens near the faces, where the error is
 /// greatest: at equal root mean square error they leave twice the greatest one.
-const NODES: [f64; PER_AXIS] = [-0.9, -0.45, 0.0, 0.45, 0.9];
+const NODES: [f64; PER_AXIS] = [-OUTERMOST, -0.45, 0.0, 0.45, OUTERMOST];
+/// The outermost.
+pub const OUTERMOST: f64 = 0.9;
 /// Distance between neighbours.
 pub(super) const SPACING: f64 = 0.45;
 /// Points of a cell.
