@@ -76,12 +76,20 @@ impl Subject {
             start.elapsed().as_secs_f64()
         });
         times.sort_unstable_by(f64::total_cmp);
+        let answers: Vec<f32> = self.points().map(field).collect();
+        self.figures(&answers, times[2] * 1e9 / POINTS as f64)
+    }
+
+    /// The points uniform in the box, then those of the band.
+    pub(crate) fn points(&self) -> impl Iterator<Item = [f32; 3]> {
+        self.uniform.points.iter().chain(&self.band.points).copied()
+    }
+
+    /// What a field with these answers at the [`points`](Self::points) is worth.
+    pub(crate) fn figures(&self, answers: &[f32], nanoseconds: f64) -> Figures {
         let diagonal = self.mesh.bounds.diagonal();
-        Figures {
-            uniform: self.uniform.errors(&field, diagonal),
-            band: self.band.errors(&field, diagonal),
-            nanoseconds: times[2] * 1e9 / POINTS as f64,
-        }
+        let (uniform, band) = answers.split_at(self.uniform.points.len());
+        Figures { uniform: self.uniform.errors(uniform, diagonal), band: self.band.errors(band, diagonal), nanoseconds }
     }
 }
 
@@ -93,10 +101,9 @@ impl Probes {
         Self { points, exact }
     }
 
-    fn errors(&self, field: &impl Fn([f32; 3]) -> f32, diagonal: f64) -> Errors {
-        let pairs = self.points.iter().zip(&self.exact);
-        let mut errors: Vec<f64> =
-            pairs.map(|(&point, exact)| (f64::from(field(point)) - exact).abs() / diagonal).collect();
+    fn errors(&self, answers: &[f32], diagonal: f64) -> Errors {
+        let pairs = answers.iter().zip(&self.exact);
+        let mut errors: Vec<f64> = pairs.map(|(&answer, exact)| (f64::from(answer) - exact).abs() / diagonal).collect();
         errors.sort_unstable_by(f64::total_cmp);
         let count = errors.len();
         Errors {
