@@ -16,6 +16,8 @@ mod continuity;
 mod determinism;
 /// The distance engine agrees with every triangle and with formulas.
 mod distance;
+/// A reader of one family is the reader of all, less the others; what errors, trees and instances say of themselves is so.
+mod families;
 /// Grids answer as the papers say, whatever their order, reconstruction and precision.
 mod grids;
 /// Levels of detail are fields, cost little, and are there before the rest of the file.

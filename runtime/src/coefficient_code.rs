@@ -92,3 +92,49 @@ static CODES: [Codes; 16] = {
     }
     all
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn widths_up_to_the_limits_are_narrow() {
+        for degree in 1..4 {
+            for width in 0..=32 {
+                let mut widths = [32, 0, 0, 0];
+                widths[degree] = width;
+                let expected = cfg!(target_pointer_width = "64") && width <= NARROW[degree];
+                assert_eq!(are_narrow(widths), expected, "{width} bits of degree {degree}");
+            }
+        }
+    }
+
+    #[test]
+    fn codes_in_place_are_the_numbers_of_codes_alone() {
+        for width in 1..=10 {
+            let codes = Codes::of(width);
+            for code in 0..1_u64 << width {
+                let expected = code as f32 - (1_u32 << (width - 1)) as f32;
+                let others = [code * 7 + 1, code * 5 + 3].map(|other| other & ((1 << width) - 1));
+                let bits = code | others[0] << width | others[1] << (2 * width) | u64::MAX << (3 * width);
+                assert_eq!(number(width, bits), expected, "{code} of {width} bits");
+                assert_eq!(codes.one(bits), expected, "{code} of {width} bits");
+                let mut three = [0.0; 4];
+                codes.three(bits, &mut three);
+                let alone = [code, others[0], others[1]].map(|code| number(width, code));
+                assert_eq!(three[..3], alone, "{code} and others of {width} bits");
+            }
+        }
+        assert_eq!(number(0, u64::MAX), 0.0, "no bits are no number but 0");
+    }
+
+    #[test]
+    fn at_least_57_bits_are_loaded_from_any_bit_of_a_leaf() {
+        let window: Window = core::array::from_fn(|byte| (byte * 37 + 11) as u8);
+        let bit_at = |bit: usize| u64::from(window[bit / 8] >> (bit % 8) & 1);
+        for bit in 0..(window.len() - 8) * 8 {
+            let expected = (0..57).fold(0, |bits, place| bits | bit_at(bit + place) << place);
+            assert_eq!(load(&window, bit as u32) & ((1 << 57) - 1), expected, "from bit {bit}");
+        }
+    }
+}

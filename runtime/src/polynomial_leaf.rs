@@ -308,3 +308,53 @@ impl<'a> Bits<'a> {
         at
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    #[test]
+    fn a_shape_is_its_bytes() {
+        let shape = Shape::new([kind::MAX, 3, 2, 5, 24, 10, 9, 5]);
+        assert_eq!([shape.degree(0), shape.degree(1)], [3, 2]);
+        assert_eq!(shape.factor(), 32.0);
+        assert_eq!(shape.widths(), [24, 10, 9, 5]);
+        assert_eq!([0, 1, 2, 3].map(|degree| shape.width(degree)), [24, 10, 9, 5]);
+        assert!(!shape.is_single());
+    }
+
+    /// Every number that a polynomial has, and where it ends.
+    fn numbers(read: impl Fn(&mut Coefficients) -> u32) -> (Vec<f32>, u32) {
+        let mut all = Coefficients::default();
+        let end = read(&mut all);
+        let threes = [all.linear, all.square, all.cross, all.cube, all.next, all.previous];
+        let numbers = threes.iter().flat_map(|three| &three[..3]);
+        (numbers.copied().chain([all.constant, all.product]).collect(), end)
+    }
+
+    #[test]
+    fn narrow_codes_are_read_as_codes_of_any_width() {
+        let window: Window = core::array::from_fn(|byte| (byte * 73 + 41) as u8);
+        for widths in [[24, 10, 9, 5], [1, 1, 1, 1], [12, 7, 3, 2], [17, 10, 5, 0], [9, 4, 0, 0], [6, 0, 0, 0]] {
+            let shape = Shape(u64::from(u32::from_le_bytes(widths)) << 32);
+            let bits = Bits { window: &window, head: 0, shape };
+            for (degree, at) in (0..4).flat_map(|degree| (0..30).map(move |at| (degree, at))) {
+                let narrow = numbers(|all| bits.read(degree, at, all));
+                let wide = numbers(|all| bits.read_wide(degree, at, all));
+                assert_eq!(narrow, wide, "degree {degree} of widths {widths:?} from bit {at}");
+            }
+        }
+    }
+
+    /// Their gradients may differ (SPEC.md §12.7).
+    #[test]
+    fn of_two_equal_polynomials_the_first_is_taken() {
+        for (kind, lesser) in [(kind::MIN, true), (kind::MAX, false)] {
+            let shape = Shape::new([kind, 1, 1, 0, 1, 1, 1, 1]);
+            assert_eq!(shape.prefers(1.0, 2.0), lesser);
+            assert_eq!(shape.prefers(2.0, 1.0), !lesser);
+            assert!(!shape.prefers(1.0, 1.0) && !shape.prefers(0.0, -0.0) && !shape.prefers(-0.0, 0.0));
+        }
+    }
+}

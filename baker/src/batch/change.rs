@@ -3,6 +3,7 @@
 //! Sizes and times of files decide where they can; contents are read where they cannot.
 
 use super::cache::{Cache, Key};
+use crate::import::{self, ImportError, Problem};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -42,14 +43,16 @@ pub(super) struct Stamp {
 
 impl Stamp {
     /// Whether nothing can have changed, as far as sizes and times tell.
-    fn is_current(&self, inputs: &[PathBuf], settings: [u8; 8], output: &Path) -> bool {
+    ///
+    /// Which files a mesh refers to is part of its content: the list is right as long as the mesh is.
+    fn is_current(&self, mesh: &Path, settings: [u8; 8], output: &Path) -> bool {
         let unchanged = |path: &Path, stamp: &FileStamp| {
             let settled = stamp.modified + UNSETTLED < self.taken;
             settled && FileStamp::of(path).is_ok_and(|now| now == *stamp)
         };
         self.settings == settings
             && self.baker == BAKER
-            && self.inputs.iter().map(|(path, _)| path).eq(inputs)
+            && self.inputs.first().is_some_and(|(path, _)| path == mesh)
             && self.inputs.iter().all(|(path, stamp)| unchanged(path, stamp))
             && FileStamp::of(output).is_ok_and(|now| now == self.output)
     }
@@ -66,12 +69,17 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    fn read(paths: &[PathBuf], settings: [u8; 8]) -> io::Result<Self> {
-        let (mut files, mut contents) = (Vec::new(), Vec::new());
-        for path in paths {
-            let naming = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
-            files.push((path.clone(), FileStamp::of(path).map_err(naming)?));
-            contents.push(blake3::hash(&fs::read(path).map_err(naming)?).to_string());
+    fn read(mesh: &Path, settings: [u8; 8]) -> Result<Self, ImportError> {
+        // Before the mesh is asked what it refers to: should it change meanwhile, it will not be as it was.
+        let mut files = vec![(mesh.to_owned(), FileStamp::of(mesh).map_err(|error| unreadable(mesh, error))?)];
+        for path in import::inputs(mesh)?.into_iter().skip(1) {
+            let stamp = FileStamp::of(&path).map_err(|error| unreadable(&path, error))?;
+            files.push((path, stamp));
+        }
+
+        let mut contents = Vec::new();
+        for (path, _) in &files {
+            contents.push(blake3::hash(&fs::read(path).map_err(|error| unreadable(path, error))?).to_string());
         }
         Ok(Self { key: Key::new(&contents, settings, BAKER), files, contents, settings })
     }
@@ -102,6 +110,10 @@ impl Inputs {
         };
         cache.remember(output, &stamp)
     }
+}
+
+fn unreadable(path: &Path, error: io::Error) -> ImportError {
+    ImportError { path: path.to_owned(), problem: Problem::Unreadable(error) }
 }
 
 /// Why an output is not up to date.
@@ -140,29 +152,35 @@ impl fmt::Display for Reason {
     }
 }
 
-/// What is to be done about an output.
+/// What is to be done about an output whose inputs were read.
 #[derive(Clone, Debug)]
 pub enum Change {
-    /// Nothing.
-    None,
-    /// Nothing, but the time of an input was new, so its content was read.
+    /// Nothing: the time of an input was new, its content is not.
     Touched(Inputs),
     /// It must be made again.
     Stale(Reason, Inputs),
 }
 
-/// Compares an output with what is remembered about it.
+/// Whether an output is what its mesh would give now, by sizes and times alone: no mesh is opened.
+///
+/// A content that changed while size and time did not is not seen.
+pub fn is_up_to_date(cache: &Cache, mesh: &Path, settings: [u8; 8], output: &Path) -> bool {
+    cache.stamp(output).is_some_and(|stamp| stamp.is_current(mesh, settings, output))
+}
+
+/// Compares an output with what is remembered about it, by the contents of its inputs: the mesh and the files it refers to.
 ///
 /// # Errors
-/// An input cannot be read.
-pub fn examine(cache: &Cache, inputs: &[PathBuf], settings: [u8; 8], output: &Path, force: bool) -> io::Result<Change> {
-    let stamp = cache.stamp(output);
-    if !force && stamp.as_ref().is_some_and(|stamp| stamp.is_current(inputs, settings, output)) {
-        return Ok(Change::None);
-    }
-
-    let inputs = Inputs::read(inputs, settings)?;
-    Ok(match reason(stamp.as_ref(), &inputs, output, force) {
+/// An input cannot be read, or is a glTF whose description is damaged.
+pub fn examine(
+    cache: &Cache,
+    mesh: &Path,
+    settings: [u8; 8],
+    output: &Path,
+    force: bool,
+) -> Result<Change, ImportError> {
+    let inputs = Inputs::read(mesh, settings)?;
+    Ok(match reason(cache.stamp(output).as_ref(), &inputs, output, force) {
         Some(reason) => Change::Stale(reason, inputs),
         None => Change::Touched(inputs),
     })

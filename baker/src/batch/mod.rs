@@ -7,6 +7,6 @@ pub mod memory;
 mod shard;
 
 pub use cache::Cache;
-pub use change::{Change, Inputs, Reason, examine};
+pub use change::{Change, Inputs, Reason, examine, is_up_to_date};
 pub use manifest::{Asset, Manifest, ManifestError};
 pub use shard::Shard;

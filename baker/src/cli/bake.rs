@@ -355,7 +355,7 @@ impl Bake {
     }
 
     /// The files that are read: the mesh and what it refers to.
-    pub(super) fn inputs(&self) -> Result<Vec<PathBuf>, Failure> {
+    fn inputs(&self) -> Result<Vec<PathBuf>, Failure> {
         import::inputs(&self.mesh).map_err(|error| Failure::Input(error.to_string()))
     }
 

@@ -7,7 +7,7 @@ use super::exit_code::Failure;
 use super::{bake_report, files, print, tell, to_json};
 use clap::Args;
 use nearfield_bake::batch::memory::{self, MemoryBudget};
-use nearfield_bake::batch::{Asset, Cache, Change, Inputs, Manifest, Shard, examine};
+use nearfield_bake::batch::{Asset, Cache, Change, Inputs, Manifest, Shard, examine, is_up_to_date};
 use nearfield_bake::output;
 use nearfield_bake::progress::Silent;
 use rayon::ThreadPool;
@@ -174,14 +174,16 @@ impl Batch {
 
     fn bring_up_to_date(&self, job: &Job, pool: &ThreadPool, budget: &MemoryBudget) -> Result<Verdict, Failure> {
         let Job { asset, arguments, cache } = job;
-        let settings = arguments.settings()?;
-        let unreadable = |error| Failure::Input(format!("cannot read {error}; check the path and its permissions"));
-        let inputs = arguments.inputs()?;
-        let change = examine(cache, &inputs, arguments.hash()?, &asset.field, self.force).map_err(unreadable)?;
+        let (settings, hash) = (arguments.settings()?, arguments.hash()?);
+        if !self.force && is_up_to_date(cache, &asset.mesh, hash, &asset.field) {
+            return Ok(Verdict::UpToDate);
+        }
+
+        let change = examine(cache, &asset.mesh, hash, &asset.field, self.force)
+            .map_err(|error| Failure::Input(error.to_string()))?;
 
         // What need not be baked.
         let (reason, inputs) = match change {
-            Change::None => return Ok(Verdict::UpToDate),
             Change::Touched(inputs) => {
                 if !self.dry_run {
                     self.remember(job, &inputs);

@@ -92,6 +92,44 @@ fn a_change_that_keeps_size_and_time_within_the_clocks_tick_is_seen() {
     assert_eq!(verdicts(&bench, "")[0], "a.obj baked: the mesh changed");
 }
 
+/// A triangle whose corners are in a file of their own.
+const GLTF: &str = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"uri": "corners.bin", "byteLength": 36}]}"#;
+
+#[test]
+fn a_mesh_whose_size_and_time_stayed_is_not_opened_and_its_buffers_are_known_all_the_same() {
+    let bench = Bench::new();
+    let corners = |last: f32| -> Vec<u8> {
+        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, last].into_iter().flat_map(f32::to_le_bytes).collect()
+    };
+    let write_long_ago = |name: &str, contents: &[u8]| {
+        bench.write(name, contents);
+        fs::File::options()
+            .append(true)
+            .open(bench.path(name))
+            .and_then(|file| file.set_modified(SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000)))
+            .expect("its time");
+    };
+    bench.write("assets.toml", MANIFEST.replace("*.obj", "*.gltf"));
+    write_long_ago("lid.gltf", GLTF.as_bytes());
+    write_long_ago("corners.bin", &corners(0.0));
+    assert_eq!(verdicts(&bench, ""), ["lid.gltf baked: new"]);
+
+    // Whoever opened this would see that it is no glTF.
+    write_long_ago("lid.gltf", " ".repeat(GLTF.len()).as_bytes());
+    assert_eq!(verdicts(&bench, ""), ["lid.gltf unchanged: "]);
+    assert!(bench.run("batch assets.toml --force").stderr().contains("cannot read lid.gltf"));
+    write_long_ago("lid.gltf", GLTF.as_bytes());
+
+    // A file that the mesh names is watched without a look at the mesh.
+    bench.write("corners.bin", corners(0.5));
+    assert_eq!(verdicts(&bench, ""), ["lid.gltf baked: the mesh changed"]);
+    fs::remove_file(bench.path("corners.bin")).expect("the buffer is removed");
+    assert!(bench.run("batch assets.toml").stderr().contains("cannot read corners.bin"));
+}
+
 #[test]
 fn a_dry_run_says_what_would_be_done_and_does_nothing() {
     let bench = bench();

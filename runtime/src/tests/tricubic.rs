@@ -81,6 +81,22 @@ fn one_leaf_reproduces_a_cubic() {
 }
 
 #[test]
+fn corners_are_the_derivatives_by_local_coordinates() {
+    let cubic = Cubic::random(1);
+    let bytes = File::one_leaf(interpolant::TRICUBIC, single_precision(&cubic, CORNERS, CORNERS, 2.0)).bytes();
+    let octree = open(&bytes).octree().expect("an octree");
+    let corners = octree.corners(&octree.leaf_at([0; 3]));
+
+    let bits = |number: usize| [number >> 2 & 1, number >> 1 & 1, number & 1];
+    for (corner, derivatives) in corners.iter().enumerate() {
+        for (orders, derivative) in derivatives.iter().enumerate() {
+            let expected = cubic.derivative(bits(orders), bits(corner).map(|bit| bit as f64));
+            assert!((f64::from(*derivative) - expected).abs() < 1e-5, "corner {corner}, orders {:?}", bits(orders));
+        }
+    }
+}
+
+#[test]
 fn eight_leaves_reproduce_a_cubic_from_one_block() {
     let cubic = Cubic::random(3);
     let samples = lattice(ALL).flat_map(|point| cubic.sample(point, 1.0));
