@@ -70,6 +70,22 @@ fn the_corners_of_large_cells_are_seen() {
     assert!(error <= greatest, "{error:.2e}");
 }
 
+/// Exact distances jump where winding numbers close a hole. No polynomial follows, and ever smaller cells gain little.
+#[test]
+fn jumps_are_cut_no_finer_than_the_mean_error_asks() {
+    let (error, half) = (2e-3, DVec3::splat(0.5));
+    let settings = with_error(error, PolynomialSettings::default());
+    let cube = Aabb::around([DVec3::ZERO, DVec3::ONE]);
+    let lid = |point: DVec3| {
+        let is_behind = point.x < 0.37 && (point - half).abs().max_element() < 0.25;
+        Sample { distance: if is_behind { -0.02 } else { 0.02 }, gradient: DVec3::ZERO }
+    };
+    let baked = bake_function(&SampleClosure(lid), &cube, &settings, &Silent).expect("it bakes");
+    let uniform = baked.report.measurement.uniform.rmse / cube.diagonal();
+    assert!(uniform <= error, "{uniform:.2e}");
+    assert!(baked.bytes.len() < 100_000, "{} bytes", baked.bytes.len());
+}
+
 /// An octree of Spot as the baker has it, and its bytes.
 fn octree_and_bytes(error: f64, continuity: Continuity) -> (PolynomialOctree, Vec<u8>) {
     let mesh = spot();

@@ -76,8 +76,8 @@ pub(super) fn cheapest(
     })
 }
 
-/// The leaf whose error is least, for a cell that cannot be split.
-pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], tolerance: Tolerance) -> Coded {
+/// The leaf whose error is least, for a cell that cannot be split, and its mean square error.
+pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], tolerance: Tolerance) -> (Coded, f64) {
     let coded = cell::fits(stencil, samples).into_iter().filter_map(|fit| {
         // As fine as is worth it, or as it must be to fit.
         let noise = 0.25 * (fit.errors.mean_square + tolerance.rmse * tolerance.rmse);
@@ -85,9 +85,11 @@ pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], toleran
         (finest..=MAX_EXPONENT)
             .find_map(|exponent| steps.code(&fit.piece, exponent).filter(|coded| coded.bits(&coded.widths) <= MAX_BITS))
     });
-    let error = |coded: &Coded| cell::errors(stencil, &steps.decode(coded), samples).mean_square;
-    let coded = coded.min_by(|a, b| error(a).total_cmp(&error(b)));
-    coded.expect("a constant can always be coded")
+    let with_error = coded.map(|coded| {
+        let mean_square = cell::errors(stencil, &steps.decode(&coded), samples).mean_square;
+        (coded, mean_square)
+    });
+    with_error.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a constant can always be coded")
 }
 
 /// The exponents worth a look, and what they cost.

@@ -29,6 +29,8 @@ use refine::{Demand, Refinement};
 const LEAF_SHARE: f64 = 0.75;
 /// Tolerance of a leaf's greatest error at its samples, in root mean square tolerances, where none is asked for.
 const LEAF_MAX: f64 = 6.0;
+/// Mean square error over the box that jumps of the function may leave, in squares of the leaves' tolerance.
+const JUMP_SHARE: f64 = 0.25;
 /// The finest step, as a share of a leaf's tolerance.
 const FINEST_STEP: f64 = 1.0 / 256.0;
 /// Finest steps that the diagonal of the domain may take, in bits: what a constant has, and the largest exponent less
@@ -81,11 +83,12 @@ impl PolynomialOctree {
             Profile::Uniform => f64::INFINITY,
             Profile::Surface => NEAR * diagonal,
         };
+        let left_of_jumps = JUMP_SHARE * rmse * rmse * bounds.size().element_product();
         let mut refinement = Refinement {
             function,
             stencil: Stencil::default(),
             steps: Steps::new(quantum(rmse, &domain) as f32),
-            demand: Demand { near, greatest, constant_within },
+            demand: Demand { near, greatest, constant_within, left_of_jumps },
             graded: overlap > 0.0,
             progress,
             samples: 0,

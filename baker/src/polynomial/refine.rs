@@ -6,7 +6,7 @@ use crate::field_function::{FieldFunction, Sample};
 use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::quantize::piece::{Coded, Steps};
-use crate::sampling::cell::{OUTERMOST, POINTS, Stencil};
+use crate::sampling::cell::{self, OUTERMOST, POINTS, Stencil};
 use glam::{DVec3, UVec3};
 use nearfield::layout::leaf::MAX_LEVELS_APART;
 use rayon::prelude::*;
@@ -19,6 +19,9 @@ const FARTHEST_FROM_SAMPLES: f64 = 0.5 * (1.0 - OUTERMOST) * 1.732_050_8;
 /// Greatest error of a leaf at a corner of its cell, in greatest errors at its samples.
 const CORNER_MAX: f64 = 2.0;
 
+/// So many cells are never too many.
+const FEW: usize = 1 << 16;
+
 /// What leaves must achieve.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Demand {
@@ -26,6 +29,9 @@ pub(super) struct Demand {
     pub(super) near: Tolerance,
     /// Greatest error anywhere, at the surface; infinite if none is asked for.
     pub(super) greatest: f64,
+    /// Mean square error times volume that may be left of jumps. They cannot be fitted, only be cut into cells: four times as
+    /// many halve it.
+    pub(super) left_of_jumps: f64,
     /// Farther from the surface than this, tolerances grow with the distance; mesh units.
     pub(super) constant_within: f64,
 }
@@ -46,6 +52,16 @@ impl Demand {
     fn growth(&self, distance: f64) -> f64 {
         (distance / self.constant_within).max(1.0)
     }
+}
+
+/// What became of a cell.
+enum Found {
+    /// A leaf that is good enough, or as good as any at the greatest depth.
+    Leaf(Coded),
+    /// No leaf: the cell is to be split.
+    Nothing,
+    /// No leaf is good enough because the function jumps; the best there is, and its mean square error.
+    Jump(Coded, f64),
 }
 
 /// Builds the cells of a function.
@@ -110,16 +126,19 @@ impl Refinement<'_> {
         self.append(cells, origins, level);
     }
 
-    /// Appends cells of one level, those that are not good enough as inner ones that still lack children.
+    /// Appends cells of one level, those that are not good enough as inner ones that still lack children. Where the function
+    /// jumps they are good enough when all of the level together hardly bear on the mean, or when their children would
+    /// outnumber all leaves.
     fn append(&mut self, cells: &mut Cells, origins: Vec<UVec3>, level: u8) {
         let domain = cells.domain;
         let edge = domain.edge(level);
+        let (mut jumps, mut left_of_jumps) = (Vec::new(), 0.0);
         for batch in origins.chunks(BATCH) {
             let points: Vec<DVec3> = batch.iter().flat_map(|&origin| self.points_of(&domain, origin, level)).collect();
             let samples = self.sample_all(&points);
             let corners = self.corners_of(&domain, batch, level);
             let is_last = level == domain.depth;
-            let found: Vec<Option<Coded>> = samples
+            let found: Vec<Found> = samples
                 .par_chunks(POINTS)
                 .enumerate()
                 .map(|(index, samples)| {
@@ -127,11 +146,24 @@ impl Refinement<'_> {
                     self.leaf(samples, corners, edge, is_last)
                 })
                 .collect();
-            cells.all.extend(batch.iter().zip(found).map(|(&origin, leaf)| Cell {
-                origin,
-                level,
-                content: leaf.map_or(Content::Inner(u32::MAX), |coded| Content::Leaf(Box::new(coded))),
-            }));
+            for (&origin, found) in batch.iter().zip(found) {
+                let content = match found {
+                    Found::Leaf(coded) => Content::Leaf(Box::new(coded)),
+                    Found::Nothing => Content::Inner(u32::MAX),
+                    Found::Jump(coded, mean_square) => {
+                        left_of_jumps += mean_square * edge.powi(3);
+                        jumps.push((cells.all.len(), coded));
+                        Content::Inner(u32::MAX)
+                    }
+                };
+                cells.all.push(Cell { origin, level, content });
+            }
+        }
+        let leaves = || cells.all.iter().filter(|cell| matches!(cell.content, Content::Leaf(_))).count();
+        if left_of_jumps <= self.demand.left_of_jumps || 8 * jumps.len() > leaves().max(FEW) {
+            for (place, coded) in jumps {
+                cells.all[place].content = Content::Leaf(Box::new(coded));
+            }
         }
     }
 
@@ -161,7 +193,7 @@ impl Refinement<'_> {
         self.function.sample_all(points)
     }
 
-    fn leaf(&self, samples: &[Sample], corners: &[Sample], edge: f64, is_last: bool) -> Option<Coded> {
+    fn leaf(&self, samples: &[Sample], corners: &[Sample], edge: f64, is_last: bool) -> Found {
         let tolerance = self.demand.of(samples);
         let within = CORNER_MAX * tolerance.max;
         let check = |(corner, sample): (usize, &Sample)| Check {
@@ -171,7 +203,16 @@ impl Refinement<'_> {
         };
         let checks: Vec<Check> = corners.iter().enumerate().map(check).collect();
         let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, &checks, edge, tolerance);
-        cheapest.or_else(|| is_last.then(|| choose::best(&self.stencil, &self.steps, samples, tolerance)))
+        let best = || choose::best(&self.stencil, &self.steps, samples, tolerance);
+        match cheapest {
+            Some(coded) => Found::Leaf(coded),
+            None if is_last => Found::Leaf(best().0),
+            None if cell::jumps(samples, edge) => {
+                let (coded, mean_square) = best();
+                Found::Jump(coded, mean_square)
+            }
+            None => Found::Nothing,
+        }
     }
 
     /// Splits leaves that touch one too many levels below them; whether there were any.

@@ -9,4 +9,4 @@ mod stencil;
 
 pub use fit::{Errors, Fit, doubt, errors, fits};
 pub use piece::{Kind, Piece};
-pub use stencil::{OUTERMOST, POINTS, Stencil};
+pub use stencil::{OUTERMOST, POINTS, Stencil, jumps};

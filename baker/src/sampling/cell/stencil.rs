@@ -92,3 +92,18 @@ impl Stencil {
         equations
     }
 }
+
+/// Whether the function jumps between neighbouring samples of a cell with this edge: whether it changes by more than any slope
+/// that was found explains.
+pub fn jumps(samples: &[Sample], edge: f64) -> bool {
+    /// Slopes between samples may be a little greater than at them.
+    const SLACK: f64 = 1.5;
+    let steepest = samples.iter().map(|sample| sample.gradient.length()).fold(0.0, f64::max);
+    let most = SLACK * steepest * 0.5 * edge * SPACING;
+    (0..POINTS).any(|point| {
+        [1, PER_AXIS, PER_AXIS * PER_AXIS].into_iter().any(|step| {
+            let is_inside = point / step % PER_AXIS + 1 < PER_AXIS;
+            is_inside && (samples[point + step].distance - samples[point].distance).abs() > most
+        })
+    })
+}
