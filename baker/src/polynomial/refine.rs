@@ -180,10 +180,17 @@ impl Refinement<'_> {
         if 2.0 * edge * FARTHEST_FROM_SAMPLES <= CORNER_MAX * self.demand.near.max {
             return Vec::new();
         }
-        let corners =
-            |&origin: &UVec3| (0..8).map(move |corner| domain.point(origin) + edge * octant(corner).as_dvec3());
-        let points: Vec<DVec3> = origins.iter().flat_map(corners).collect();
-        self.sample_all(&points)
+        // Most are corners of several cells.
+        let step = domain.lattice_edge(level);
+        let corners = |&origin: &UVec3| (0..8).map(move |corner| (origin + step * octant(corner)).to_array());
+        let mut vertices: Vec<[u32; 3]> = origins.iter().flat_map(corners).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let points: Vec<DVec3> = vertices.iter().map(|&vertex| domain.point(vertex.into())).collect();
+        let samples = self.sample_all(&points);
+        let sample_at =
+            |vertex: [u32; 3]| samples[vertices.binary_search(&vertex).expect("a corner of one of the cells")];
+        origins.iter().flat_map(corners).map(sample_at).collect()
     }
 
     /// Samples the function.
