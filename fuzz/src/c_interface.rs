@@ -56,7 +56,10 @@ fn levels(handle: &NearfieldField, field: &Field<'_>, points: &[[f32; 3]]) {
             Some(expected) => one_by_one(&level, &expected, points),
             None => {
                 assert_eq!(result, NearfieldResult::NoLod);
-                assert!(nearfield_distance(Some(&level), [0.0; 3].into()).is_nan(), "a level that there is not answers");
+                assert!(
+                    nearfield_distance(Some(&level), [0.0; 3].into()).is_nan(),
+                    "a level that there is not answers"
+                );
             }
         }
     }
