@@ -33,18 +33,18 @@ def test_levels_of_detail_are_fields(octahedron, field, points):
     with pytest.raises(IndexError):
         field.lod(1)
 
-    fine = nearfield.bake(*octahedron, error=1e-3, samples=2000, lods=2)
-    assert fine.lod_count == 3
+    fine = nearfield.bake(*octahedron, error=1e-3, samples=2000, lods=1)
+    assert fine.lod_count == 2
     assert (fine.distance(points) == field.distance(points)).all()
-    for level in (1, 2):
-        coarse = fine.lod(level)
-        assert coarse.target_error == pytest.approx(4 * fine.lod(level - 1).target_error)
-        assert coarse.nbytes < fine.nbytes / 4
-        inside = points[(np.abs(points) <= 1).all(axis=-1)]
-        assert np.abs(coarse.distance(inside) - fine.distance(inside)).max() <= 2 * coarse.contract.max_error
+    coarse = fine.lod(1)
+    assert coarse.target_error == pytest.approx(4 * fine.target_error)
+    assert coarse.nbytes < fine.nbytes / 4
+    inside = points[(np.abs(points) <= 1).all(axis=-1)]
+    assert np.abs(coarse.distance(inside) - fine.distance(inside)).max() <= 2 * coarse.contract.max_error
 
 
 def test_the_header_is_there(field):
+    assert field.family == "polynomial"
     low, high = field.bounds
     assert field.bounds.shape == (2, 3) and (low <= -1).all() and (high >= 1).all()
     assert field.sign_method == "pseudonormal"
