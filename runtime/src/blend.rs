@@ -301,7 +301,9 @@ impl PolynomialOctree<'_> {
         // Never below zero, and never beyond the lattice.
         let low = place.position.map(|part| (part - margin).max(0.0));
         let high = place.position.map(|part| part + margin);
-        Region::new(self, self.lattice.cell_of(low), self.lattice.cell_of(high))
+        // No finer leaf touches this one. Without this bound a damaged file could ask for the whole lattice.
+        let finest = place.shift.saturating_sub(leaf::MAX_LEVELS_APART);
+        Region::new(self, self.lattice.cell_of(low), self.lattice.cell_of(high), finest)
     }
 
     /// Half the edge of a leaf over twice the distance by which it reaches beyond its cell.

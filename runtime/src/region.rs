@@ -10,6 +10,8 @@ pub(crate) struct Region<'t, 'a> {
     octree: &'t PolynomialOctree<'a>,
     low: [u32; 3],
     high: [u32; 3],
+    /// Leaves with edges below 2^`finest` are passed over.
+    finest: u32,
     /// Least corner of the root cell that comes next; beyond the region if none does.
     root: [u32; 3],
     /// Least corner of the last cell, and its edge as a power of two.
@@ -21,11 +23,11 @@ pub(crate) struct Region<'t, 'a> {
 }
 
 impl<'t, 'a> Region<'t, 'a> {
-    /// `low` and `high` are cells of the lattice, `low` at most `high`.
-    pub(crate) fn new(octree: &'t PolynomialOctree<'a>, low: [u32; 3], high: [u32; 3]) -> Self {
+    /// `low` and `high` are cells of the lattice, `low` at most `high`. Leaves with edges below 2^`finest` are passed over.
+    pub(crate) fn new(octree: &'t PolynomialOctree<'a>, low: [u32; 3], high: [u32; 3], finest: u32) -> Self {
         let depth = u32::from(octree.lattice.depth);
         let root = low.map(|cell| cell >> depth << depth);
-        Self { octree, low, high, root, cell: root, shift: depth, path: [(0, 0); octree::MAX_DEPTH as usize] }
+        Self { octree, low, high, finest, root, cell: root, shift: depth, path: [(0, 0); octree::MAX_DEPTH as usize] }
     }
 
     /// Which children of the node at `cell`, whose edges are 2^`shift`, meet the region: a bit for each.
@@ -92,6 +94,7 @@ impl Iterator for Region<'_, '_> {
         loop {
             let node = self.next_child().or_else(|| self.next_root())?;
             match node {
+                Node::Inner(_) if self.shift > 0 && self.shift == self.finest => {}
                 Node::Inner(record) if self.shift > 0 => {
                     self.shift -= 1;
                     self.path[self.shift as usize & 15] = (record, self.children(self.cell, self.shift));

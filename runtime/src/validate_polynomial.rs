@@ -188,5 +188,5 @@ fn touching(octree: &PolynomialOctree<'_>, leaf: &Leaf) -> impl Iterator<Item = 
     let low = leaf.cell.map(|cell| cell.saturating_sub(1));
     let high = octree.lattice.clamp(leaf.cell.map(|cell| cell + leaf.edge));
     let own = leaf.cell;
-    Region::new(octree, low, high).filter(move |other| other.cell != own)
+    Region::new(octree, low, high, 0).filter(move |other| other.cell != own)
 }

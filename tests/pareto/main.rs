@@ -89,9 +89,9 @@ fn main() -> io::Result<()> {
 
 fn introduction(has_open_vdb: bool) -> String {
     let open_vdb = if has_open_vdb {
-        "Level sets of OpenVDB are made of voxels of a\n\
-         given number along the longest side, not renormalized, as wide as the band or as the box; they are counted as files,\n\
-         compressed, and as grids of NanoVDB, whose errors are those of its quantization too."
+        "Level sets of OpenVDB have as many voxels\n\
+         as named along the longest side, are not renormalized, and reach as far as the band or the box; they are counted as\n\
+         files, compressed, and as grids of NanoVDB."
     } else {
         "OpenVDB and NanoVDB were not at hand."
     };

@@ -75,6 +75,7 @@ impl OpenVdb {
                     let (form, bytes, nanoseconds) = parsed(line).ok_or_else(|| io::Error::other(line.to_owned()))?;
                     let answers = self.read(form)?;
                     let figures = subject.figures(&answers, nanoseconds);
+                    assert!(figures.band.rmse * diagonal < edge, "{form} of {resolution}: these are no distances");
                     let family = families.iter_mut().find(|(f, family)| *f == form && family.kind == kind);
                     let (_, family) = family.ok_or_else(|| io::Error::other(form.to_owned()))?;
                     family.fields.push(Measured { setting: resolution.to_string(), bytes, figures });

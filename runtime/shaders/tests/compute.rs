@@ -123,10 +123,11 @@ fn compare(querier: &Querier<'_>, sample: &Sample, points: &[[f32; 3]], tally: &
 }
 
 /// Whether a field weights its corners by nothing but products of 1 - t and t or of smooth steps: the driver of software
-/// then does not change the order of its sums.
+/// then does not change the order of its sums. Between samples of first order the reader and the shaders add up in orders of
+/// their own, as the format leaves them to (SPEC.md §11.4).
 fn has_plain_weights(field: &Field<'_>) -> bool {
     match (field.grid(), field.octree()) {
-        (Some(grid), _) => grid.reconstruction() != Reconstruction::Hermite,
+        (Some(grid), _) => grid.reconstruction() != Reconstruction::Hermite && grid.order() != 1,
         (_, Some(octree)) => octree.interpolant() == Interpolant::Trilinear,
         _ => false,
     }

@@ -84,8 +84,9 @@ int main(int, char** arguments) {
     openvdb::Vec3s least = vertices[0];
     for (const auto& vertex : vertices) least = openvdb::math::minComponent(least, vertex);
     const openvdb::Vec3s shift = openvdb::Vec3s(static_cast<float>((width + 4) * edge)) - least;
-    for (auto& vertex : vertices) vertex += shift;
     for (auto& point : points.all) point += shift;
+    // Meshes are read by the coordinates of voxels.
+    for (auto& vertex : vertices) vertex = (vertex + shift) / static_cast<float>(edge);
 
     // Not renormalized: that costs accuracy at creases.
     const auto transform = openvdb::math::Transform::createLinearTransform(edge);
