@@ -26,12 +26,11 @@ impl Weights {
         }
     }
 
-    /// The same of smoothness 1 and above.
+    /// The same of smoothness 2 and 3: samples of first order have a [`Basis`].
     #[inline(never)]
     fn smooth(smoothness: u8, t: f32) -> Self {
         let rest = 1.0 - t;
         let (end, slope) = match smoothness {
-            1 => (t * t * (3.0 - 2.0 * t), 6.0 * t * rest),
             2 => (t * t * t * (10.0 - t * (15.0 - 6.0 * t)), 30.0 * (t * t) * (rest * rest)),
             _ => {
                 let (square, cube) = (t * t, t * rest * (t * rest) * (t * rest));
