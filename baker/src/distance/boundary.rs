@@ -26,7 +26,7 @@ pub(super) struct Rim {
     /// In the direction of the surplus, as often as it is large.
     pub(super) edges: Vec<[u32; 2]>,
     loops: Vec<Loop>,
-    balls: Vec<Balls>,
+    capsules: Vec<Capsules>,
 }
 
 /// Edges that are connected.
@@ -48,18 +48,23 @@ struct EdgePacket {
     edges: Vec<[u32; 2]>,
 }
 
-/// Balls around eight edges, or the edges of eight packets. Unused ones are infinitely far away.
-struct Balls {
-    centre: [f32x8; 3],
+/// Capsules around eight edges, or around the edges of eight packets. Unused ones are infinitely far away.
+struct Capsules {
+    from: [f32x8; 3],
+    along: [f32x8; 3],
+    /// 1 ÷ squared length of the axis; 0 for a ball.
+    per_length_squared: f32x8,
     radius: f32x8,
     /// Length of the edges ÷ 4π.
     length: f32x8,
+    /// How many there are ÷ 2π.
+    count: f32x8,
 }
 
-/// Rims of more edges have balls around packets only: it takes eight times less to look at them.
+/// Rims of more edges have capsules around packets only: it takes eight times less to look at them.
 const MOST_APART: usize = 2048;
-/// Added to the radii of balls: more than single precision makes of a distance near the surface.
-const BALL_SLACK: f64 = 1e-5;
+/// Added to the radii of capsules: more than single precision makes of a distance near the surface.
+const CAPSULE_SLACK: f64 = 1e-5;
 
 impl Rim {
     pub(super) fn of(mesh: &LocalMesh) -> Self {
@@ -78,23 +83,24 @@ impl Rim {
         let loops = loops_of(mesh, &edges);
         let together = if edges.len() <= MOST_APART { 1 } else { LANES };
         let groups = loops.iter().flat_map(|rim| &rim.packets).flat_map(|packet| packet.edges.chunks(together));
-        let balls = groups.collect::<Vec<_>>().chunks(LANES).map(|groups| Balls::around(mesh, groups)).collect();
-        Self { edges, loops, balls }
+        let capsules = groups.collect::<Vec<_>>().chunks(LANES).map(|groups| Capsules::around(mesh, groups)).collect();
+        Self { edges, loops, capsules }
     }
 
     /// A radius around this point within which the winding number, but for its steps at the surface, changes by at most
     /// `change`.
     ///
-    /// The gradient is the field of Biot and Savart of the rim: at most its length ÷ 4πr² at a distance r. With D from
-    /// the point to the nearest ball and G the sum there, it is at most G ÷ (1 − t)² within tD.
+    /// The gradient is the field of Biot and Savart of the rim: that of an edge, as seen from a distance r, is at most its
+    /// length ÷ 4πr², and at most 1 ÷ 2πr however long it is. With D from the point to the nearest capsule and G the sum
+    /// there, it is at most G ÷ (1 − t)² within tD.
     pub(super) fn reach(&self, point: DVec3, change: f64) -> f64 {
         let query = splat(point);
         let (mut nearest, mut steepness) = (f32x8::splat(f32::INFINITY), f32x8::ZERO);
-        for Balls { centre, radius, length } in &self.balls {
-            let to_centre = minus(*centre, query);
-            let gap = (dot(to_centre, to_centre).sqrt() - *radius).fast_max(f32x8::ZERO);
+        for capsules in &self.capsules {
+            let gap = capsules.gap(query);
+            let per_gap = f32x8::ONE / gap.fast_max(f32x8::splat(CAPSULE_SLACK as f32));
             nearest = nearest.fast_min(gap);
-            steepness += *length / (gap * gap).fast_max(f32x8::splat(f32::MIN_POSITIVE));
+            steepness += per_gap * (capsules.length * per_gap).fast_min(capsules.count);
         }
         let nearest = f64::from(nearest.to_array().into_iter().fold(f32::INFINITY, f32::min));
         if nearest == 0.0 {
@@ -189,22 +195,47 @@ impl EdgePacket {
     }
 }
 
-impl Balls {
+impl Capsules {
     /// Takes in at most eight groups of edges.
     fn around(mesh: &LocalMesh, groups: &[&[[u32; 2]]]) -> Self {
         let position = |vertex: u32| mesh.positions[vertex as usize];
-        let mut balls = Self { centre: [f32x8::splat(1e17); 3], radius: f32x8::ZERO, length: f32x8::ZERO };
+        let mut capsules = Self {
+            from: [f32x8::splat(1e17); 3],
+            along: [f32x8::ZERO; 3],
+            per_length_squared: f32x8::ZERO,
+            radius: f32x8::ZERO,
+            length: f32x8::ZERO,
+            count: f32x8::ZERO,
+        };
         for (lane, edges) in groups.iter().enumerate() {
             let ends = || edges.as_flattened().iter().map(|&vertex| position(vertex));
-            let centre = Aabb::around(ends()).centre();
-            let radius = ends().map(|end| end.distance(centre)).fold(0.0, f64::max);
+            // A single edge is an axis; several have a ball.
+            let [from, to] = match edges {
+                [[from, to]] => [position(*from), position(*to)],
+                _ => [Aabb::around(ends()).centre(); 2],
+            };
+            let radius = if edges.len() == 1 { 0.0 } else { ends().map(|end| end.distance(from)).fold(0.0, f64::max) };
             let length: f64 = edges.iter().map(|&[a, b]| position(a).distance(position(b))).sum();
             for axis in 0..3 {
-                balls.centre[axis].as_mut_array()[lane] = centre[axis] as f32;
+                capsules.from[axis].as_mut_array()[lane] = from[axis] as f32;
+                capsules.along[axis].as_mut_array()[lane] = (to - from)[axis] as f32;
             }
-            balls.radius.as_mut_array()[lane] = (radius + BALL_SLACK) as f32;
-            balls.length.as_mut_array()[lane] = (length / (4.0 * PI)) as f32;
+            let length_squared = from.distance_squared(to) as f32;
+            let per_length_squared = if length_squared > f32::MIN_POSITIVE { 1.0 / length_squared } else { 0.0 };
+            capsules.per_length_squared.as_mut_array()[lane] = per_length_squared;
+            capsules.radius.as_mut_array()[lane] = (radius + CAPSULE_SLACK) as f32;
+            capsules.length.as_mut_array()[lane] = (length / (4.0 * PI)) as f32;
+            capsules.count.as_mut_array()[lane] = (edges.len() as f64 / (2.0 * PI)) as f32;
         }
-        balls
+        capsules
+    }
+
+    /// How far a point is outside of them.
+    #[inline(always)]
+    fn gap(&self, query: [f32x8; 3]) -> f32x8 {
+        let from_start = minus(query, self.from);
+        let part = (dot(from_start, self.along) * self.per_length_squared).fast_max(f32x8::ZERO).fast_min(f32x8::ONE);
+        let rest = minus(from_start, self.along.map(|along| along * part));
+        (dot(rest, rest).sqrt() - self.radius).fast_max(f32x8::ZERO)
     }
 }

@@ -33,8 +33,9 @@ pub(super) enum Signs {
     Sheet,
 }
 
-/// Winding numbers that decide alike are between two of these.
+/// Winding numbers that decide alike are between two of these where some pieces are continued, and where none is.
 const QUARTERS: [f64; 3] = [DOUBTFUL.start, 0.5, DOUBTFUL.end];
+const HALVES: [f64; 1] = [0.5];
 
 /// A surface with a rim.
 pub(super) struct OpenSurface {
@@ -43,6 +44,8 @@ pub(super) struct OpenSurface {
     /// Triangles whose piece goes on smoothly across its holes: pseudonormals decide what the winding
     /// number does not.
     continued: Vec<bool>,
+    /// Numbers that decide alike are between two of these.
+    bounds: &'static [f64],
 }
 
 enum Winding {
@@ -66,6 +69,16 @@ impl OpenSurface {
         number.abs()
     }
 
+    /// Where a number is among the bounds.
+    fn quarter_of(&self, number: f64) -> Quarter {
+        match (self.bounds.len(), number > 0.5) {
+            (1, false) => OUTSIDE,
+            (1, true) => INSIDE,
+            (_, false) => usize::from(number >= DOUBTFUL.start),
+            (_, true) => 2 + usize::from(number >= DOUBTFUL.end),
+        }
+    }
+
     /// How much a number may be off: a loop of the rim counts as a dipole from eight radii on (under 0.001), and what
     /// single precision keeps is right to some 0.002; dipoles of the tree were measured to err by up to 0.026.
     fn number_error(&self) -> f64 {
@@ -75,10 +88,10 @@ impl OpenSurface {
         }
     }
 
-    /// A ball around a point with this number in which numbers are in the same quarter, but for those across the
+    /// A ball around a point with this number in which numbers decide alike, but for those across the
     /// surface.
     fn reach(&self, point: DVec3, number: f64) -> f64 {
-        let clearance = QUARTERS.iter().map(|bound| (number - bound).abs()).fold(f64::INFINITY, f64::min);
+        let clearance = self.bounds.iter().map(|bound| (number - bound).abs()).fold(f64::INFINITY, f64::min);
         let clearance = clearance - 2.0 * self.number_error();
         if clearance > 0.0 && is_within_reach(point) { self.rim.reach(point, clearance) } else { 0.0 }
     }
@@ -88,10 +101,6 @@ impl OpenSurface {
 type Quarter = usize;
 const OUTSIDE: Quarter = 0;
 const INSIDE: Quarter = 3;
-
-fn quarter_of(number: f64) -> Quarter {
-    usize::from(number >= DOUBTFUL.start) + usize::from(number > 0.5) + usize::from(number >= DOUBTFUL.end)
-}
 
 /// A point whose winding number, or what stands for it, is known.
 #[derive(Clone, Copy)]
@@ -154,7 +163,8 @@ impl Signs {
                 } else {
                     Winding::Dipoles(WindingTree::new(finder))
                 };
-                Self::Open(OpenSurface { winding, rim, continued })
+                let bounds = if continued.contains(&true) { &QUARTERS[..] } else { &HALVES[..] };
+                Self::Open(OpenSurface { winding, rim, continued, bounds })
             }
         }
     }
@@ -183,7 +193,7 @@ impl Signs {
             Self::Open(surface) => {
                 let judge = || {
                     let number = surface.number(finder, point);
-                    (quarter_of(number), surface.reach(point, number))
+                    (surface.quarter_of(number), surface.reach(point, number))
                 };
                 match memory.quarter(point, distance, judge) {
                     OUTSIDE => false,

@@ -20,7 +20,7 @@ const FARTHEST_FROM_SAMPLES: f64 = 0.5 * (1.0 - OUTERMOST) * 1.732_050_8;
 const CORNER_MAX: f64 = 2.0;
 
 /// So many cells are never too many.
-const FEW: usize = 1 << 16;
+const FEW: usize = 1 << 14;
 
 /// What leaves must achieve.
 #[derive(Clone, Copy, Debug)]
