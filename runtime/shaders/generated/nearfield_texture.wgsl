@@ -862,6 +862,8 @@ struct Region {
     // The last cell, and its edge as a power of two.
     cell: vec3<u32>,
     shift: u32,
+    // Nodes with this edge, as a power of two, are passed over.
+    finest: u32,
     // For the inner nodes on the way to it, by the power of two of their children's edge: the record, and which children
     // are yet to come.
     records: array<u32, 16>,
@@ -878,6 +880,8 @@ fn region_around(field: Field, own: Leaf, position: vec3<f32>, reach: u32) -> Re
     region.high = min(vec3<u32>(position + margin), last);
     region.root = region.low >> vec3(field.depth);
     region.shift = field.depth;
+    // No finer leaf touches this one. Without this bound a damaged file could ask for the whole lattice.
+    region.finest = max(own.shift, MAX_LEVELS_APART) - MAX_LEVELS_APART;
     return region;
 }
 
@@ -918,6 +922,10 @@ fn next_leaf(field: Field, region: ptr<function, Region>, own: u32) -> Leaf {
 
         (*region).cell = cell;
         if (node & ROOT_LEAF) == 0u && shift > 0u {
+            (*region).shift = shift;
+            if shift == (*region).finest {
+                continue;
+            }
             shift -= 1u;
             (*region).records[shift & 15u] = node;
             (*region).pending[shift & 15u] = children_in(cell + (1u << shift), (*region).low, (*region).high);

@@ -71,6 +71,7 @@ struct Region {
     uvec3 root;
     uvec3 cell;
     uint shift;
+    uint finest;
     uint records[16];
     uint pending[16];
 };
@@ -1533,7 +1534,7 @@ bool is_shared(Field field_16, LeafHead head_1, vec3 local_18) {
 }
 
 Region region_around(Field field_17, Leaf own, vec3 position_3, uint reach) {
-    Region region = Region(uvec3(0u), uvec3(0u), uvec3(0u), uvec3(0u), 0u, uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u));
+    Region region = Region(uvec3(0u), uvec3(0u), uvec3(0u), uvec3(0u), 0u, 0u, uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u));
     float _e4 = power_of_half(reach);
     float share_1 = ((reach == 0u) ? LEAST_SUPPORT_SHARE : (_e4 * 2.0));
     float margin = ((field_17.overlap * float((1u << own.shift))) * share_1);
@@ -1543,8 +1544,9 @@ Region region_around(Field field_17, Leaf own, vec3 position_3, uint reach) {
     uvec3 _e38 = region.low;
     region.root = (_e38 >> uvec3(field_17.depth));
     region.shift = field_17.depth;
-    Region _e44 = region;
-    return _e44;
+    region.finest = (max(own.shift, MAX_LEVELS_APART) - MAX_LEVELS_APART);
+    Region _e50 = region;
+    return _e50;
 }
 
 uint children_in(uvec3 middle_1, uvec3 low, uvec3 high) {
@@ -1641,30 +1643,37 @@ Leaf next_leaf(Field field_18, inout Region region_1, uint own_1) {
         }
         bool _e149 = local_22;
         if (_e149) {
-            uint _e150 = shift_3;
-            shift_3 = (_e150 - 1u);
-            uint _e154 = shift_3;
-            uint _e158 = node_2;
-            region_1.records[(_e154 & 15u)] = _e158;
+            uint _e151 = shift_3;
+            region_1.shift = _e151;
+            uint _e152 = shift_3;
+            uint _e154 = region_1.finest;
+            if ((_e152 == _e154)) {
+                continue;
+            }
+            uint _e156 = shift_3;
+            shift_3 = (_e156 - 1u);
             uint _e160 = shift_3;
-            uvec3 _e164 = cell_3;
+            uint _e164 = node_2;
+            region_1.records[(_e160 & 15u)] = _e164;
             uint _e166 = shift_3;
-            uvec3 _e171 = region_1.low;
-            uvec3 _e173 = region_1.high;
-            uint _e174 = children_in((_e164 + uvec3((1u << _e166))), _e171, _e173);
-            region_1.pending[(_e160 & 15u)] = _e174;
-            uint _e176 = shift_3;
-            region_1.shift = _e176;
+            uvec3 _e170 = cell_3;
+            uint _e172 = shift_3;
+            uvec3 _e177 = region_1.low;
+            uvec3 _e179 = region_1.high;
+            uint _e180 = children_in((_e170 + uvec3((1u << _e172))), _e177, _e179);
+            region_1.pending[(_e166 & 15u)] = _e180;
+            uint _e182 = shift_3;
+            region_1.shift = _e182;
             continue;
         }
-        uint _e178 = shift_3;
-        region_1.shift = _e178;
-        uint _e179 = node_2;
-        uint place_4 = (_e179 & 2147483647u);
+        uint _e184 = shift_3;
+        region_1.shift = _e184;
+        uint _e185 = node_2;
+        uint place_4 = (_e185 & 2147483647u);
         if ((place_4 != own_1)) {
-            uvec3 _e183 = cell_3;
-            uint _e184 = shift_3;
-            return Leaf(place_4, _e183, _e184);
+            uvec3 _e189 = cell_3;
+            uint _e190 = shift_3;
+            return Leaf(place_4, _e189, _e190);
         }
     }
     return Leaf(own_1, uvec3(0u), 0u);
@@ -1677,7 +1686,7 @@ Answer evaluate_polynomial_octree(Field field_19, vec3 position_4) {
     float change = 0.0;
     vec3 slope_2 = vec3(0.0);
     bool is_alone = true;
-    Region region_2 = Region(uvec3(0u), uvec3(0u), uvec3(0u), uvec3(0u), 0u, uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u));
+    Region region_2 = Region(uvec3(0u), uvec3(0u), uvec3(0u), uvec3(0u), 0u, 0u, uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), uint[16](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u));
     Leaf leaf_3 = Leaf(0u, uvec3(0u), 0u);
     bool local_23 = false;
     Leaf _e8 = find_leaf(field_19, min(uvec3(position_4), (field_19.cells - uvec3(1u))));

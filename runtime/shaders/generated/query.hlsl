@@ -102,8 +102,12 @@ struct Region {
     int _pad3_0;
     uint3 cell;
     uint shift;
+    uint finest;
     uint records[16];
     uint pending[16];
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
 };
 
 struct LeafHead {
@@ -1728,8 +1732,9 @@ Region region_around(Field field_17, Leaf own, float3 position_3, uint reach)
     uint3 _e38 = region.low;
     region.root = (_e38 >> (field_17.depth).xxx);
     region.shift = field_17.depth;
-    Region _e44 = region;
-    const Region region_3 = _e44;
+    region.finest = (max(own.shift, MAX_LEVELS_APART) - MAX_LEVELS_APART);
+    Region _e50 = region;
+    const Region region_3 = _e50;
     return region_3;
 }
 
@@ -1839,30 +1844,37 @@ Leaf next_leaf(Field field_18, inout Region region_1, uint own_1)
         }
         bool _e149 = local_22;
         if (_e149) {
-            uint _e150 = shift_3;
-            shift_3 = (_e150 - 1u);
-            uint _e154 = shift_3;
-            uint _e158 = node_2;
-            region_1.records[min(uint((_e154 & 15u)), 15u)] = _e158;
+            uint _e151 = shift_3;
+            region_1.shift = _e151;
+            uint _e152 = shift_3;
+            uint _e154 = region_1.finest;
+            if ((_e152 == _e154)) {
+                continue;
+            }
+            uint _e156 = shift_3;
+            shift_3 = (_e156 - 1u);
             uint _e160 = shift_3;
-            uint3 _e164 = cell_3;
+            uint _e164 = node_2;
+            region_1.records[min(uint((_e160 & 15u)), 15u)] = _e164;
             uint _e166 = shift_3;
-            uint3 _e171 = region_1.low;
-            uint3 _e173 = region_1.high;
-            const uint _e174 = children_in((_e164 + ((1u << _e166)).xxx), _e171, _e173);
-            region_1.pending[min(uint((_e160 & 15u)), 15u)] = _e174;
-            uint _e176 = shift_3;
-            region_1.shift = _e176;
+            uint3 _e170 = cell_3;
+            uint _e172 = shift_3;
+            uint3 _e177 = region_1.low;
+            uint3 _e179 = region_1.high;
+            const uint _e180 = children_in((_e170 + ((1u << _e172)).xxx), _e177, _e179);
+            region_1.pending[min(uint((_e166 & 15u)), 15u)] = _e180;
+            uint _e182 = shift_3;
+            region_1.shift = _e182;
             continue;
         }
-        uint _e178 = shift_3;
-        region_1.shift = _e178;
-        uint _e179 = node_2;
-        uint place_4 = (_e179 & 2147483647u);
+        uint _e184 = shift_3;
+        region_1.shift = _e184;
+        uint _e185 = node_2;
+        uint place_4 = (_e185 & 2147483647u);
         if ((place_4 != own_1)) {
-            uint3 _e183 = cell_3;
-            uint _e184 = shift_3;
-            const Leaf leaf_6 = ConstructLeaf(place_4, _e183, _e184);
+            uint3 _e189 = cell_3;
+            uint _e190 = shift_3;
+            const Leaf leaf_6 = ConstructLeaf(place_4, _e189, _e190);
             return leaf_6;
         }
     }

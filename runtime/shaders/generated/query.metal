@@ -105,8 +105,10 @@ struct Region {
     metal::uint3 root;
     metal::packed_uint3 cell;
     uint shift;
+    uint finest;
     type_17 records;
     type_17 pending;
+    char _pad8[12];
 };
 struct LeafHead {
     uint kind_and_degrees;
@@ -1797,8 +1799,9 @@ Region region_around(
     metal::uint3 _e38 = region.low;
     region.root = _e38 >> metal::uint3(field_17.depth);
     region.shift = field_17.depth;
-    Region _e44 = region;
-    return _e44;
+    region.finest = metal::max(own.shift, MAX_LEVELS_APART) - MAX_LEVELS_APART;
+    Region _e50 = region;
+    return _e50;
 }
 
 uint children_in(
@@ -1905,30 +1908,37 @@ Leaf next_leaf(
         }
         bool _e149 = local_22;
         if (_e149) {
-            uint _e150 = shift_3;
-            shift_3 = _e150 - 1u;
-            uint _e154 = shift_3;
-            uint _e158 = node_2;
-            region_1.records.inner[_e154 & 15u] = _e158;
+            uint _e151 = shift_3;
+            region_1.shift = _e151;
+            uint _e152 = shift_3;
+            uint _e154 = region_1.finest;
+            if (_e152 == _e154) {
+                continue;
+            }
+            uint _e156 = shift_3;
+            shift_3 = _e156 - 1u;
             uint _e160 = shift_3;
-            metal::uint3 _e164 = cell_3;
+            uint _e164 = node_2;
+            region_1.records.inner[_e160 & 15u] = _e164;
             uint _e166 = shift_3;
-            metal::uint3 _e171 = region_1.low;
-            metal::uint3 _e173 = region_1.high;
-            uint _e174 = children_in(_e164 + metal::uint3(1u << _e166), _e171, _e173);
-            region_1.pending.inner[_e160 & 15u] = _e174;
-            uint _e176 = shift_3;
-            region_1.shift = _e176;
+            metal::uint3 _e170 = cell_3;
+            uint _e172 = shift_3;
+            metal::uint3 _e177 = region_1.low;
+            metal::uint3 _e179 = region_1.high;
+            uint _e180 = children_in(_e170 + metal::uint3(1u << _e172), _e177, _e179);
+            region_1.pending.inner[_e166 & 15u] = _e180;
+            uint _e182 = shift_3;
+            region_1.shift = _e182;
             continue;
         }
-        uint _e178 = shift_3;
-        region_1.shift = _e178;
-        uint _e179 = node_2;
-        uint place_4 = _e179 & 2147483647u;
+        uint _e184 = shift_3;
+        region_1.shift = _e184;
+        uint _e185 = node_2;
+        uint place_4 = _e185 & 2147483647u;
         if (place_4 != own_1) {
-            metal::uint3 _e183 = cell_3;
-            uint _e184 = shift_3;
-            return Leaf {place_4, {}, _e183, _e184};
+            metal::uint3 _e189 = cell_3;
+            uint _e190 = shift_3;
+            return Leaf {place_4, {}, _e189, _e190};
         }
     }
     return Leaf {own_1, {}, metal::uint3(0u), 0u};
