@@ -4,7 +4,7 @@ use nearfield::Field;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
 use nearfield_bake::random::Draws;
-use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
 use nearfield_bake::{Baked, bake};
 
 const TARGET: f64 = 2e-3;
@@ -18,6 +18,7 @@ fn settings(interpolant: Interpolant, precision: Precision) -> Settings {
         precision,
         max_depth: 8,
         samples: 20_000,
+        layout: Layout::Octree,
         ..Settings::default()
     }
 }

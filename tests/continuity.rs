@@ -3,7 +3,7 @@ use nearfield::{Field, Leaf, Octree};
 use nearfield_bake::bake;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
 
 /// Points along an edge of the smaller leaf: a power of two, so that the place in both leaves is exact.
 const STEPS: u32 = 4;
@@ -36,8 +36,16 @@ struct Seams {
 /// Bakes a small mesh and asks both sides of every face, at points that include its corners and edges.
 fn seams(interpolant: Interpolant, continuity: Continuity, precision: Precision) -> Seams {
     let error = Target::Relative(4e-3);
-    let settings =
-        Settings { error, interpolant, continuity, precision, max_depth: 6, samples: 5_000, ..Settings::default() };
+    let settings = Settings {
+        error,
+        interpolant,
+        continuity,
+        precision,
+        max_depth: 6,
+        samples: 5_000,
+        layout: Layout::Octree,
+        ..Settings::default()
+    };
     let baked = bake(&shapes::read("bob_small.ply"), &settings, &Silent).expect("the mesh bakes");
     let field = Field::open(&baked.bytes).expect("a field");
     let octree = field.octree().expect("an octree");
@@ -116,6 +124,7 @@ fn no_face_of_the_test_set_jumps_by_more_than_rounding() {
                     precision,
                     max_depth: 6,
                     samples: 1_000,
+                    layout: Layout::Octree,
                     ..Settings::default()
                 };
                 let baked = bake(&mesh, &settings, &Silent).expect("the mesh bakes");

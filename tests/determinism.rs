@@ -1,7 +1,7 @@
 use crate::shapes;
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
 
 fn bytes_with(threads: usize, settings: &Settings) -> Vec<u8> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -10,7 +10,13 @@ fn bytes_with(threads: usize, settings: &Settings) -> Vec<u8> {
 
 #[test]
 fn one_two_and_eight_threads_give_the_same_bytes() {
-    let quick = Settings { error: Target::Relative(1e-3), max_depth: 7, samples: 10_000, ..Settings::default() };
+    let quick = Settings {
+        error: Target::Relative(1e-3),
+        max_depth: 7,
+        samples: 10_000,
+        layout: Layout::Octree,
+        ..Settings::default()
+    };
     for settings in [
         quick,
         Settings { continuity: Continuity::None, precision: Precision::F16, ..quick },

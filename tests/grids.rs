@@ -365,7 +365,7 @@ fn a_closure_bakes_with_and_without_its_gradient() {
 /// The same function in an octree.
 #[test]
 fn a_closure_bakes_into_an_octree() {
-    let settings = Settings { max_depth: 6, samples: 2_000, ..Settings::default() };
+    let settings = Settings { layout: Layout::Octree, max_depth: 6, samples: 2_000, ..Settings::default() };
     let baked = bake_function(&SampleClosure(sphere), &BOX, &settings, &Silent).expect("the function bakes");
     let field = Field::open(&baked.bytes).expect("a field");
     assert!(field.octree().is_some());

@@ -4,14 +4,22 @@ use glam::{DVec3, Vec3};
 use nearfield::{Field, Leaf};
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Settings, Target};
 
 const TRIALS: usize = 20_000;
 
 fn baked(interpolant: Interpolant) -> Vec<u8> {
     let error = Target::Relative(4e-3);
     let continuity = Continuity::C0;
-    let settings = Settings { error, interpolant, continuity, max_depth: 6, samples: 1000, ..Settings::default() };
+    let settings = Settings {
+        error,
+        interpolant,
+        continuity,
+        max_depth: 6,
+        samples: 1000,
+        layout: Layout::Octree,
+        ..Settings::default()
+    };
     bake(&shapes::read("bob_small.ply"), &settings, &Silent).expect("the mesh bakes").bytes
 }
 

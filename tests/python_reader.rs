@@ -5,7 +5,7 @@ use glam::DVec3;
 use nearfield::{Family, Field};
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Settings, Target};
+use nearfield_bake::settings::{Layout, Settings, Target};
 use nearfield_fuzz::structure::{Choices, mutate, repair};
 use std::fs;
 use std::io::Write;
@@ -72,7 +72,13 @@ fn invalid_vectors_are_refused_for_their_reason() {
 #[test]
 fn a_baked_field_is_answered_alike() {
     let mesh = crate::shapes::read("bob_small.ply");
-    let settings = Settings { error: Target::Relative(4e-3), max_depth: 7, samples: 1000, ..Settings::default() };
+    let settings = Settings {
+        error: Target::Relative(4e-3),
+        max_depth: 7,
+        samples: 1000,
+        layout: Layout::Octree,
+        ..Settings::default()
+    };
     let bytes = bake(&mesh, &settings, &Silent).expect("the mesh bakes").bytes;
     agree_on(&bytes, 500);
 }

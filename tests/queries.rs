@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3, Vec3};
 use nearfield::{Aabb, Field, Instance, NotASimilarity, Raycast};
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Settings, Target};
 
 fn baked(shape: &Shape, interpolant: Interpolant) -> Vec<u8> {
     let error = Target::Relative(2e-3);
@@ -14,6 +14,7 @@ fn baked(shape: &Shape, interpolant: Interpolant) -> Vec<u8> {
         continuity: Continuity::C0,
         max_depth: 6,
         samples: 20_000,
+        layout: Layout::Octree,
         ..Settings::default()
     };
     bake(&shape.mesh, &settings, &Silent).expect("the mesh bakes").bytes

@@ -4,10 +4,16 @@ use nearfield::layout::section;
 use nearfield::{Field, Interpolant as ReadInterpolant, SignMethod};
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Interpolant, Precision, Settings, Target};
+use nearfield_bake::settings::{Continuity, Interpolant, Layout, Precision, Settings, Target};
 
 fn quick() -> Settings {
-    Settings { error: Target::Relative(2e-3), max_depth: 7, samples: 10_000, ..Settings::default() }
+    Settings {
+        error: Target::Relative(2e-3),
+        max_depth: 7,
+        samples: 10_000,
+        layout: Layout::Octree,
+        ..Settings::default()
+    }
 }
 
 #[test]

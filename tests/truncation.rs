@@ -2,11 +2,12 @@ use crate::shapes;
 use nearfield::{Error, Field};
 use nearfield_bake::bake;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Settings, Target};
+use nearfield_bake::settings::{Layout, Settings, Target};
 
 fn small_file() -> Vec<u8> {
     let error = Target::Relative(0.02);
-    let settings = Settings { error, start_depth: 1, max_depth: 3, samples: 1_000, ..Settings::default() };
+    let settings =
+        Settings { error, start_depth: 1, max_depth: 3, samples: 1_000, layout: Layout::Octree, ..Settings::default() };
     let bytes = bake(&shapes::cuboid(), &settings, &Silent).expect("the mesh bakes").bytes;
     assert!((1_000..20_000).contains(&bytes.len()), "{} bytes: too few to tell, or too many to try", bytes.len());
     bytes

@@ -213,7 +213,7 @@ pub struct Settings {
     pub error: Target,
     /// Bytes that the file of an octree may take; the error is then the least that fits, and `error` is not looked at.
     pub max_bytes: Option<u64>,
-    /// Interpolant of the leaves.
+    /// Interpolant of the leaves of [`Layout::Octree`].
     pub interpolant: Interpolant,
     /// When a leaf of interpolants is good enough.
     pub termination: Termination,
@@ -234,9 +234,10 @@ pub struct Settings {
 }
 
 impl Default for Settings {
+    /// What the command line bakes when it is asked for nothing else.
     fn default() -> Self {
         Self {
-            layout: Layout::Octree,
+            layout: Layout::Polynomial(PolynomialSettings::default()),
             error: Target::Relative(5e-4),
             max_bytes: None,
             interpolant: Interpolant::Tricubic,

@@ -210,7 +210,8 @@ impl PolynomialOctree<'_> {
         self.look(&other.cell, other.shift, codes, &place.position, &mut Lanes::default(), &mut its_sides);
         let near = its_sides.near() & !crossed;
         let mut is_known = codes.reach != 0;
-        for (axis, cell) in its_sides.cell.into_iter().enumerate() {
+        for axis in 0..3 {
+            let cell = its_sides.cell[axis];
             let is_within = (cell ^ place.cell[axis]) >> place.shift == 0;
             if near >> axis & 1 == 1 && is_within {
                 is_known &= *axes >> axis & 1 == 0 || sides.cell[axis] == cell;

@@ -308,7 +308,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         }
 
         let nearest = march::nearest(bounds, point);
-        let away = [0, 1, 2].map(|axis: usize| point[axis] - nearest[axis]);
+        let away = math::each_axis(|axis| point[axis] - nearest[axis]);
         let (distance, direction) = math::length_and_direction(away);
         Beyond { nearest, distance, direction }
     }

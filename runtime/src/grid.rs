@@ -4,6 +4,7 @@ use crate::bytes::{Words, f32_at, f32x3_at, u8_at, u16x3_at};
 use crate::error::Error;
 use crate::header::Aabb;
 use crate::layout::{grid as at, limit, precision, range, reconstruction, section};
+use crate::math::each_axis;
 use crate::section as sections;
 
 /// How a grid answers between its samples. A sample of order k is a polynomial of total degree k.
@@ -180,7 +181,7 @@ impl<'a> Grid<'a> {
     /// Value and gradient of one sample: mesh units, and without unit. Samples beyond the last count
     /// as it.
     pub fn sample(&self, at: [u32; 3]) -> (f32, [f32; 3]) {
-        let at = [0, 1, 2].map(|axis: usize| at[axis].min(self.resolution[axis] - 1));
+        let at = each_axis(|axis| at[axis].min(self.resolution[axis] - 1));
         let (value, slopes) = self.polynomial(at).at([0.0; 3], [1.0; 4]);
         (value, self.per_unit(slopes))
     }
@@ -229,10 +230,10 @@ impl<'a> Grid<'a> {
     #[inline]
     pub(crate) fn bricks_of(&self, vertex: [u32; 3]) -> (usize, [usize; 3]) {
         let [row, layer] = self.brick_steps;
-        let edge = at::BRICK_EDGE;
+        const EDGE: u32 = at::BRICK_EDGE;
         // All bits of a step or none of them: branches would be hard to predict.
-        let [x, y, z] = vertex.map(|at| usize::from(at % edge == edge - 1).wrapping_neg());
-        (number(vertex.map(|at| at / edge), self.brick_steps), [1 & x, row & y, layer & z])
+        let [x, y, z] = vertex.map(|at| usize::from(at % EDGE == EDGE - 1).wrapping_neg());
+        (number(vertex.map(|at| at / EDGE), self.brick_steps), [1 & x, row & y, layer & z])
     }
 
     /// Number of the sample at a vertex, x fastest, and samples to the next row and layer.

@@ -12,11 +12,11 @@ use core::array::from_fn;
 /// for the middle of a face, the middles of that face's edges are not. The parent's own corners and the
 /// centre of the block are never implied.
 pub(crate) fn is_implied(bit: u32, present: u32) -> bool {
-    let halfway = |step: u32| bit / step % 3 == 1;
+    let halfway = [(1, bit % 3), (3, bit / 3 % 3), (9, bit / 9 % 3)];
     let ends = |mask: u32, step: u32| mask >> step | mask << step;
     let all = |mask: u32| present & mask == mask;
     let middle = 1 << bit;
-    match [1, 3, 9].map(|step| halfway(step).then_some(step)) {
+    match halfway.map(|(step, digit)| (digit == 1).then_some(step)) {
         [Some(step), None, None] | [None, Some(step), None] | [None, None, Some(step)] => all(ends(middle, step)),
         [Some(a), Some(b), None] | [Some(a), None, Some(b)] | [None, Some(a), Some(b)] => {
             let edges = ends(middle, a) | ends(middle, b);

@@ -1,7 +1,7 @@
 //! Fields that are moved, turned, mirrored and uniformly scaled.
 
 use crate::field::Field;
-use crate::math;
+use crate::math::{self, each_axis};
 use crate::representation::{Any, Representation};
 
 /// A field placed in a world. Distances and gradients are the world's.
@@ -69,10 +69,8 @@ impl<'a, R: Representation<'a>> Instance<'a, R> {
     /// Signed distance, as [`distance`](Self::distance) to the bit, and gradient in the world's frame.
     pub fn distance_and_gradient(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
         let (distance, gradient) = self.field.distance_and_gradient(self.to_field(point));
-        let turned = [0, 1, 2].map(|row: usize| {
-            let along = [0, 1, 2].map(|column: usize| self.axes[column][row] / self.scale);
-            math::dot(along, gradient)
-        });
+        let [x, y, z] = self.axes.map(|axis| axis.map(|part| part / self.scale));
+        let turned = each_axis(|row| math::dot([x[row], y[row], z[row]], gradient));
         ((distance * self.scale).min(f32::MAX), turned)
     }
 
@@ -88,7 +86,7 @@ impl<'a, R: Representation<'a>> Instance<'a, R> {
 
     /// A point of the world in the frame of the field.
     pub fn to_field(&self, point: [f32; 3]) -> [f32; 3] {
-        let moved = [0, 1, 2].map(|axis: usize| point[axis] - self.origin[axis]);
+        let moved = each_axis(|axis| point[axis] - self.origin[axis]);
         // The inverse of a similarity is its transpose over the square of its scale.
         self.axes.map(|axis| math::dot(axis.map(|part| part / self.scale), moved) / self.scale)
     }

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::header::Aabb;
 use crate::layout::{limit, octree as at};
-use crate::math;
+use crate::math::{self, each_axis};
 
 /// A leaf of an octree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -173,7 +173,7 @@ impl Lattice {
     #[inline]
     pub(crate) fn clamp(&self, cell: [u32; 3]) -> [u32; 3] {
         let cells = self.cells();
-        [0, 1, 2].map(|axis: usize| cell[axis].min(cells[axis] - 1))
+        each_axis(|axis| cell[axis].min(cells[axis] - 1))
     }
 
     /// Number of the root cell that holds a finest cell of the lattice, x fastest.
@@ -188,7 +188,7 @@ impl Lattice {
     #[inline]
     pub(crate) fn local(&self, leaf: &Leaf, position: Position) -> [f32; 3] {
         let scale = math::power_of_half(self.depth.saturating_sub(leaf.level));
-        [0, 1, 2].map(|axis: usize| (position[axis] - leaf.cell[axis] as f32) * scale)
+        each_axis(|axis| (position[axis] - leaf.cell[axis] as f32) * scale)
     }
 
     /// Whether a leaf holds a position: whether a query there would find it.

@@ -3,11 +3,10 @@
 //! The terms are in cyclic order: a term of each axis, or of its product with the next axis or the one before, fills the
 //! lanes of a vector. The fourth lane holds something finite that nobody looks at.
 
+use crate::math::each_lane;
+
 /// A number for each axis, and one more.
 pub(crate) type Lanes = [f32; 4];
-
-/// Every lane.
-const ALL: [usize; 4] = [0, 1, 2, 3];
 
 /// The coefficients of a polynomial, in steps. Those of degrees that it does not have are not looked at.
 #[derive(Clone, Copy, Debug, Default)]
@@ -72,7 +71,7 @@ impl Coefficients {
 
     #[inline(never)]
     fn first(&self, point: &Lanes, parts: &mut Lanes, slope: &mut Lanes) {
-        for lane in ALL {
+        for lane in 0..4 {
             parts[lane] = self.linear[lane] * point[lane];
         }
         *slope = self.linear;
@@ -81,14 +80,14 @@ impl Coefficients {
     #[inline(never)]
     fn second(&self, first: &Lanes, with_slope: bool, parts: &mut Lanes, slope: &mut Lanes) {
         let next = moved_back(*first);
-        let line = ALL.map(|lane| self.linear[lane] + self.cross[lane] * next[lane]);
-        for lane in ALL {
+        let line = each_lane(|lane| self.linear[lane] + self.cross[lane] * next[lane]);
+        for lane in 0..4 {
             let second = 1.5 * (first[lane] * first[lane]) - 0.5;
             parts[lane] = line[lane] * first[lane] + self.square[lane] * second;
         }
         if with_slope {
             let (previous, cross) = (moved_on(*first), moved_on(self.cross));
-            for lane in ALL {
+            for lane in 0..4 {
                 slope[lane] = (line[lane] + cross[lane] * previous[lane]) + self.square[lane] * (3.0 * first[lane]);
             }
         }
@@ -97,20 +96,20 @@ impl Coefficients {
     #[inline(never)]
     fn third(&self, first: &Lanes, with_slope: bool, parts: &mut Lanes, slope: &mut Lanes) {
         let (next, previous) = (moved_back(*first), moved_on(*first));
-        let squared = ALL.map(|lane| first[lane] * first[lane]);
-        let second = ALL.map(|lane| 1.5 * squared[lane] - 0.5);
-        let line = ALL.map(|lane| self.linear[lane] + self.cross[lane] * next[lane]);
+        let squared = each_lane(|lane| first[lane] * first[lane]);
+        let second = each_lane(|lane| 1.5 * squared[lane] - 0.5);
+        let line = each_lane(|lane| self.linear[lane] + self.cross[lane] * next[lane]);
         let square =
-            ALL.map(|lane| self.square[lane] + (self.next[lane] * next[lane] + self.previous[lane] * previous[lane]));
-        for lane in ALL {
+            each_lane(|lane| self.square[lane] + (self.next[lane] * next[lane] + self.previous[lane] * previous[lane]));
+        for lane in 0..4 {
             let third = first[lane] * (2.5 * squared[lane] - 1.5);
             parts[lane] = (line[lane] * first[lane] + square[lane] * second[lane]) + self.cube[lane] * third;
         }
         if with_slope {
             let cross = moved_on(self.cross);
-            let by_next = moved_on(ALL.map(|lane| self.next[lane] * second[lane]));
-            let by_previous = moved_back(ALL.map(|lane| self.previous[lane] * second[lane]));
-            for lane in ALL {
+            let by_next = moved_on(each_lane(|lane| self.next[lane] * second[lane]));
+            let by_previous = moved_back(each_lane(|lane| self.previous[lane] * second[lane]));
+            for lane in 0..4 {
                 let third_slope = 7.5 * squared[lane] - 1.5;
                 slope[lane] = ((line[lane] + cross[lane] * previous[lane]) + square[lane] * (3.0 * first[lane]))
                     + (self.cube[lane] * third_slope + (by_next[lane] + by_previous[lane]))

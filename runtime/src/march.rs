@@ -2,7 +2,7 @@
 
 use crate::field::Field;
 use crate::header::Aabb;
-use crate::math;
+use crate::math::{self, each_axis};
 use crate::representation::Representation;
 
 /// Most queries of a [`Field::raycast`].
@@ -78,7 +78,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
 
         let within = within.max(RESOLUTION * longest_side(bounds));
         let at = |t: f32| {
-            let point = [0, 1, 2].map(|axis: usize| origin[axis] + t * direction[axis]);
+            let point = each_axis(|axis| origin[axis] + t * direction[axis]);
             nearest(bounds, point)
         };
 
@@ -116,7 +116,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         while steps < MAX_DESCENT_STEPS && distance.abs() > enough && gradient != [0.0; 3] {
             let (slope, direction) = math::length_and_direction(gradient);
             let step = stride * (distance / slope.max(0.5));
-            let next = nearest(bounds, [0, 1, 2].map(|axis: usize| point[axis] - step * direction[axis]));
+            let next = nearest(bounds, each_axis(|axis| point[axis] - step * direction[axis]));
             let there = self.distance_and_gradient(next);
             steps += 1;
 

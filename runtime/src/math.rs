@@ -16,6 +16,18 @@ pub(crate) fn reciprocal_sqrt(x: f32) -> f32 {
     coarse + coarse * (0.5 - half * (coarse * coarse))
 }
 
+/// A number of each axis. A loop in its place would, in code that is built to be small, check the index of every axis.
+#[inline(always)]
+pub(crate) fn each_axis<T>(of: impl Fn(usize) -> T) -> [T; 3] {
+    [of(0), of(1), of(2)]
+}
+
+/// The same of each of four lanes.
+#[inline(always)]
+pub(crate) fn each_lane<T>(of: impl Fn(usize) -> T) -> [T; 4] {
+    [of(0), of(1), of(2), of(3)]
+}
+
 #[inline]
 pub(crate) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

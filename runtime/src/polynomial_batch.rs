@@ -137,7 +137,8 @@ impl<'a> PolynomialOctree<'a> {
         }
         let alone = group.alone;
         for lane in (0..count.min(POINTS)).filter(|lane| alone >> lane & 1 == 1) {
-            place.position = [positions[0][lane], positions[1][lane], positions[2][lane], 0.0];
+            let [x, y, z] = positions.each_ref().map(|row| row[lane & (POINTS - 1)]);
+            place.position = [x, y, z, 0.0];
             let [x, y, z] = self.lattice.cell_of(place.position);
             place.cell = [x, y, z, 0];
             let answer = self.answer(place, codes, with_gradient, |_, _, answer| *answer = own.at(lane));

@@ -56,8 +56,8 @@ impl Answers {
     /// At one point.
     pub(crate) fn at(&self, lane: usize) -> Answer {
         let lane = lane & (POINTS - 1);
-        let [x, y, z] = self.gradient.map(|row| row[lane]);
-        Answer { value: self.value[lane], gradient: [x, y, z, 0.0] }
+        let [x, y, z] = &self.gradient;
+        Answer { value: self.value[lane], gradient: [x[lane], y[lane], z[lane], 0.0] }
     }
 
     pub(crate) fn set(&mut self, lane: usize, (value, gradient): (f32, [f32; 3])) {

@@ -3,7 +3,7 @@
 use crate::field::Field;
 use crate::header::Aabb;
 use crate::march::nearest;
-use crate::math;
+use crate::math::{self, each_axis};
 use crate::representation::Representation;
 
 /// Parts along each axis into which a box is divided for its [`Field::range`].
@@ -20,7 +20,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
     /// `min <= max` along every axis is expected, and finite numbers; else it is ±∞.
     pub fn range(&self, region: Aabb) -> (f32, f32) {
         const EVERYTHING: (f32, f32) = (f32::NEG_INFINITY, f32::INFINITY);
-        let size = [0, 1, 2].map(|axis: usize| region.max[axis] - region.min[axis]);
+        let size = each_axis(|axis| region.max[axis] - region.min[axis]);
         if !size.iter().all(|side| (0.0..=f32::MAX).contains(side)) {
             return EVERYTHING;
         }
@@ -35,7 +35,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         for part in 0..PARTS * PARTS * PARTS {
             let cell = [part % PARTS, part / PARTS % PARTS, part / (PARTS * PARTS)];
             let share = cell.map(|index| (index as f32 + 0.5) / PARTS as f32);
-            let middle = [0, 1, 2].map(|axis: usize| region.min[axis] + share[axis] * size[axis]);
+            let middle = each_axis(|axis| region.min[axis] + share[axis] * size[axis]);
             let value = self.distance(middle);
             (least, greatest) = (least.min(value), greatest.max(value));
         }
@@ -60,7 +60,7 @@ impl<'a, R: Representation<'a>> Field<'a, R> {
         if !point.iter().all(|coordinate| coordinate.is_finite()) {
             return f32::NEG_INFINITY;
         }
-        let away = [0, 1, 2].map(|axis: usize| point[axis] - closest[axis]);
+        let away = each_axis(|axis| point[axis] - closest[axis]);
         let (outside, _) = math::length_and_direction(away);
         (self.distance(closest) - error - outside).max(outside)
     }

@@ -3,6 +3,7 @@
 use crate::grid::{Grid, Reconstruction};
 use crate::grid_sample::FirstOrder;
 use crate::hermite::{self, Corners, Weights as Basis, trilinear, trilinear_and_derivatives, trilinear_sum};
+use crate::math::each_axis;
 use crate::polynomial::triquintic;
 
 /// Every term of a polynomial as it is.
@@ -125,10 +126,10 @@ impl FirstOrder {
     #[inline]
     fn along_x(&self, [near, far, near_slope, far_slope]: [f32; 4], lane: usize) -> [f32; 3] {
         let Self { distance, gradient: [by_x, by_y, by_z] } = self;
-        let mix = |numbers: &Corners| near * numbers[lane] + far * numbers[4 + lane];
-        let value =
-            (near * distance[lane] + near_slope * by_x[lane]) + (far * distance[4 + lane] + far_slope * by_x[4 + lane]);
-        [value, mix(by_y), mix(by_z)]
+        let [start, end] = [lane & 3, lane & 3 | 4];
+        let mix = |at_near: f32, at_far: f32| near * at_near + far * at_far;
+        let value = (near * distance[start] + near_slope * by_x[start]) + (far * distance[end] + far_slope * by_x[end]);
+        [value, mix(by_y[start], by_y[end]), mix(by_z[start], by_z[end])]
     }
 }
 
@@ -151,6 +152,7 @@ impl Across {
 
     #[inline]
     fn weigh(&self, [value, by_y, by_z]: [f32; 3], lane: usize) -> f32 {
+        let lane = lane & 3;
         value * self.values[lane] + (by_y * self.slope_y[lane] + by_z * self.slope_z[lane])
     }
 }
@@ -188,7 +190,7 @@ impl Grid<'_> {
     #[inline(never)]
     pub fn evaluate(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let last = self.resolution();
-        let cell = [0, 1, 2].map(|axis: usize| cell[axis].min(last[axis] - 2));
+        let cell = each_axis(|axis| cell[axis].min(last[axis] - 2));
         let (value, slopes) = match (self.order(), self.reconstruction()) {
             (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
             (1, Reconstruction::Nearest) => self.rare(cell, local),

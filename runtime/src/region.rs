@@ -2,6 +2,7 @@
 
 use crate::lattice::Leaf;
 use crate::layout::octree;
+use crate::math::each_axis;
 use crate::polynomial_octree::{Node, PolynomialOctree};
 
 /// The leaves that hold any of the finest cells from `low` to `high`: the root grid x fastest, below it depth first.
@@ -77,7 +78,7 @@ impl<'t, 'a> Region<'t, 'a> {
                 let octant = pending.trailing_zeros();
                 self.path[self.shift as usize & 15].1 = pending & (pending - 1);
                 let parent = self.cell.map(|cell| cell >> (self.shift + 1) << (self.shift + 1));
-                self.cell = [0, 1, 2].map(|axis: usize| parent[axis] + ((octant >> axis & 1) << self.shift));
+                self.cell = each_axis(|axis| parent[axis] + ((octant >> axis & 1) << self.shift));
                 return Some(self.octree.record(record).child(octant));
             }
             self.shift += 1;

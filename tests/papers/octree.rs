@@ -267,7 +267,7 @@ fn table_3(shape: &MeshShape) -> (String, Vec<Curve>) {
 }
 
 fn settings() -> Settings {
-    Settings { samples: 50_000, ..Settings::default() }
+    Settings { samples: 50_000, layout: Layout::Octree, ..Settings::default() }
 }
 
 fn octree(shape: &MeshShape, interpolant: Interpolant, continuity: Continuity, target: f64) -> Baked {

@@ -448,3 +448,23 @@ fn bake_failure(error: &BakeError, mesh: &Path) -> Failure {
         BakeError::Rejected(_) => Failure::Field(error.to_string()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Command {
+        #[command(flatten)]
+        bake: Bake,
+    }
+
+    /// Who bakes by the library gets the same field.
+    #[test]
+    fn what_is_not_asked_for_is_the_librarys_default() {
+        let Command { bake } = Command::parse_from(["bake", "mesh.obj", "-o", "field.nfd"]);
+        let settings = bake.settings().unwrap_or_else(|_| panic!("the defaults do not contradict themselves"));
+        assert_eq!(settings, Settings::default());
+    }
+}

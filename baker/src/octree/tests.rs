@@ -2,7 +2,7 @@ use super::*;
 use crate::corner::Corner;
 use crate::field_function::Sample;
 use crate::progress::Silent;
-use crate::settings::{NEAR, Precision, Target, Termination};
+use crate::settings::{Layout, NEAR, Precision, Target, Termination};
 use glam::{DVec3, UVec3};
 use std::collections::HashSet;
 use std::sync::Mutex;
@@ -37,6 +37,7 @@ fn settings(interpolant: Interpolant, continuity: Continuity) -> Settings {
         precision: Precision::F32,
         start_depth: 2,
         max_depth: 6,
+        layout: Layout::Octree,
         ..Settings::default()
     }
 }

@@ -5,7 +5,7 @@
 use nearfield::Field;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Settings, Target};
+use nearfield_bake::settings::{Layout, Settings, Target};
 use nearfield_rapier::{FieldDispatcher, FieldShape};
 use rapier3d::math::{Real, Vector};
 use rapier3d::parry::query::{DefaultQueryDispatcher, QueryDispatcher};
@@ -25,7 +25,7 @@ fn main() {
     let soup = nearfield_bake::import::read(path).expect("Spot is in the repository");
     let mesh = CheckedMesh::new(soup).expect("Spot is a mesh");
 
-    let settings = Settings { error: Target::Relative(1e-3), ..Settings::default() };
+    let settings = Settings { error: Target::Relative(1e-3), layout: Layout::Octree, ..Settings::default() };
     let bytes = nearfield_bake::bake(&mesh, &settings, &Silent).expect("Spot bakes").bytes;
     println!(
         "{particles} particles, {STEPS} steps; a field of {} bytes, {} triangles",

@@ -5,7 +5,7 @@ use nearfield_bake::bake_function;
 use nearfield_bake::field_function::Closure;
 use nearfield_bake::geometry::Aabb;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Settings, Target};
+use nearfield_bake::settings::{Layout, Settings, Target};
 use nearfield_rapier::{FieldDispatcher, FieldShape};
 use rapier3d::math::{Pose, Real, Vector};
 use rapier3d::parry::query::{
@@ -27,7 +27,8 @@ static TORUS: LazyLock<FieldShape> = LazyLock::new(|| {
         (around * around + point.z * point.z).sqrt() - f64::from(MINOR)
     };
     let bounds = Aabb { min: glam::DVec3::new(-1.4, -1.4, -0.4), max: glam::DVec3::new(1.4, 1.4, 0.4) };
-    let settings = Settings { error: Target::Relative(2e-4), samples: 10_000, ..Settings::default() };
+    let settings =
+        Settings { error: Target::Relative(2e-4), samples: 10_000, layout: Layout::Octree, ..Settings::default() };
     let baked = bake_function(&Closure { distance, step: 1e-5 }, &bounds, &settings, &Silent).expect("a torus bakes");
     let field = Field::open(baked.bytes.leak()).expect("a baked field opens");
     assert!(field.contract().max_error() < ERROR, "the field is as good as the tests expect");

@@ -7,7 +7,7 @@ use nearfield_bake::import::TriangleSoup;
 use nearfield_bake::lod::add_levels;
 use nearfield_bake::mesh::CheckedMesh;
 use nearfield_bake::progress::Silent;
-use nearfield_bake::settings::{Continuity, Layout, PolynomialSettings, Settings, Target};
+use nearfield_bake::settings::{Continuity, Settings, Target};
 use numpy::{AllowTypeChange, PyArrayDescrMethods, PyArrayLike2, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -52,7 +52,6 @@ pub fn bake(
         margin: margin.unwrap_or(default.margin),
         max_depth: max_depth.unwrap_or(default.max_depth),
         samples: samples.unwrap_or(default.samples),
-        layout: Layout::Polynomial(PolynomialSettings::default()),
         ..default
     };
     settings.check().map_err(to_value_error)?;
