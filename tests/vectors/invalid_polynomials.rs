@@ -153,6 +153,8 @@ fn order(vectors: &mut Vectors) {
     vectors.octree("record_too_many", "RecordOrder", |octree| octree.records.push(octree.records[2].clone()));
     vectors.octree("record_missing", "RecordOrder", |octree| octree.records.truncate(2));
     vectors.octree("deeper_than_the_depth", "NodeDepth", |octree| octree.depth = 1);
+    let far = tree([1; 3], vec![chain(3, 90)], 0.0);
+    vectors.changed("deeper_than_a_depth_of_two", "NodeDepth", far, |octree| octree.depth = 2);
     let root = || tree([1; 3], vec![divided(84)], 0.0);
     vectors.changed("root_deeper_than_the_depth", "NodeDepth", root(), |octree| octree.depth = 0);
     vectors.octree("leaf_count_less", "LeafCount", |octree| octree.leaf_count -= 1);

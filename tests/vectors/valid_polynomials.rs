@@ -21,6 +21,7 @@ pub(super) fn all() -> Vec<(String, File)> {
         }
     }
     add("widest", one_leaf(|random| leaf(random, SINGLE, [2, 0], [24, 16, 16, 0]), 62).file());
+    add("longest_leaf", one_leaf(|random| leaf(random, MIN, [3, 3], [4, 9, 8, 8]), 62).file());
     add("without_bits", one_leaf(|random| leaf(random, MIN, [3, 3], [0; 4]), 62).file());
     add("some_degrees_without_bits", one_leaf(|random| leaf(random, MAX, [3, 2], [9, 0, 6, 0]), 62).file());
 
