@@ -3,6 +3,7 @@ use crate::vectors::{folder, names, read};
 use glam::DVec3;
 use nearfield::{Aabb, Continuity, Error, Family, Field, Instance, NotASimilarity, Representation};
 use std::collections::BTreeSet;
+use std::{env, fs};
 
 /// Points of a box and around it.
 fn points(bounds: Aabb) -> Vec<[f32; 3]> {
@@ -118,6 +119,25 @@ fn errors_are_sentences_to_put_into_others() {
         assert!(text.starts_with(char::is_lowercase) && !text.ends_with('.'), "{text:?}");
         assert!(text.split_whitespace().count() > 3, "{text:?}");
     }
+}
+
+/// The package for JavaScript has the words beside its modules, which give the number of an error alone.
+#[test]
+fn the_words_of_errors_in_javascript_are_those_of_the_reader() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../runtime/wasm/ts/rules.ts");
+    let head = "\
+/** What a file may break, by its name in SPEC.md §13: the words, in the order of the numbers that `open` gives, from 1. */
+// Written by `NEARFIELD_WRITE_RULES=1 cargo test --package conformance javascript` from the reader's own.
+export const RULES = {
+";
+    let rules: String = Error::ALL.iter().map(|error| format!("  {error:?}: {:?},\n", error.text())).collect();
+    let expected = format!("{head}{rules}}} as const;\n");
+    if env::var_os("NEARFIELD_WRITE_RULES").is_some() {
+        fs::write(path, &expected).expect("the words");
+    }
+    let numbers: Vec<usize> = Error::ALL.iter().map(|&error| error as usize).collect();
+    assert_eq!(numbers, (0..Error::ALL.len()).collect::<Vec<_>>(), "the order is that of the numbers");
+    assert_eq!(fs::read_to_string(path).expect("the words"), expected, "stale: the file says how to write it");
 }
 
 #[test]

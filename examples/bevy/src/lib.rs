@@ -17,6 +17,9 @@
 //! }
 //! ```
 
+#[cfg(feature = "material")]
+pub mod material;
+
 use bevy_app::{App, Plugin};
 use bevy_asset::io::Reader;
 use bevy_asset::{Asset, AssetApp, AssetLoader, LoadContext};

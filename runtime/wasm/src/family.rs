@@ -14,8 +14,11 @@ type Family = reader::PolynomialOctree<'static>;
 /// A field that the module reads.
 pub type Field = reader::Field<'static, Family>;
 
-/// Opens one, as [`reader::Field::open`] does.
-pub(crate) const OPEN: fn(&'static [u8]) -> Result<Field, Error> = {
+/// A way to open one.
+pub(crate) type Open = fn(&'static [u8]) -> Result<Field, Error>;
+
+/// As [`reader::Field::open`] does.
+pub(crate) const OPEN: Open = {
     #[cfg(not(any(feature = "only-grid", feature = "only-octree", feature = "only-polynomial")))]
     let open = reader::Field::open;
     #[cfg(feature = "only-grid")]

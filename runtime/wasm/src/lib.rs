@@ -31,27 +31,57 @@ pub extern "C" fn field_size() -> usize {
 
 /// Opens and validates the field of `length` bytes at `file`, and puts it at `field`.
 ///
-/// Returns 0, or the length of the message why not, whose address it puts at `message`.
+/// Returns 0, or the number of the rule that they break, from 1 in the order of [`reader::Error::ALL`]: `ts/rules.ts` has the
+/// words, for which there is no room here.
 ///
 /// # Safety
 /// See the module; the file stays where it is for as long as the field is used.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn open(file: *const u8, length: usize, field: *mut Field, message: *mut *const u8) -> usize {
+pub unsafe extern "C" fn open(file: *const u8, length: usize, field: *mut Field) -> u32 {
+    // SAFETY: as the caller says.
+    unsafe { open_by(family::OPEN, file, length, field) }
+}
+
+/// [`Field::open_prefix`](reader::Field::open_prefix), otherwise as [`open`]. Only in the module of every family.
+///
+/// # Safety
+/// As for [`open`].
+#[cfg(not(any(feature = "only-grid", feature = "only-octree", feature = "only-polynomial")))]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn open_prefix(file: *const u8, length: usize, field: *mut Field) -> u32 {
+    // SAFETY: as the caller says.
+    unsafe { open_by(reader::Field::open_prefix, file, length, field) }
+}
+
+/// Opens in one way or another.
+///
+/// # Safety
+/// As for [`open`].
+unsafe fn open_by(open: family::Open, file: *const u8, length: usize, field: *mut Field) -> u32 {
     // SAFETY: the caller says that so many bytes are there, and that they stay.
     let bytes: &'static [u8] = unsafe { slice::from_raw_parts(file, length) };
-    match family::OPEN(bytes).and_then(|field| field.validate().map(|()| field)) {
+    match open(bytes).and_then(|field| field.validate().map(|()| field)) {
         Ok(opened) => {
             // SAFETY: the caller says that the field fits here.
             unsafe { field.write(opened) };
             0
         }
-        Err(error) => {
-            let text = error.text();
-            // SAFETY: the caller says that an address fits here.
-            unsafe { message.write(text.as_ptr()) };
-            text.len()
-        }
+        Err(error) => 1 + error as u32,
     }
+}
+
+/// [`Field::lod`]: puts the level at `lod`, which shares the file. Returns whether there is one.
+///
+/// # Safety
+/// See the module.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn lod(field: &Field, level: usize, lod: *mut Field) -> bool {
+    let found = field.lod(level);
+    if let Some(found) = found {
+        // SAFETY: the caller says that the field fits here.
+        unsafe { lod.write(found) };
+    }
+    found.is_some()
 }
 
 /// What a field is, as [`describe`] writes it: 19 numbers of 4 bytes.

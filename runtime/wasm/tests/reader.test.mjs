@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import test from "node:test";
-import { FieldError, open } from "nearfield";
+import { Field, FieldError, open, openPrefix } from "nearfield";
 
 const vectors = new URL("../../../format-spec/vectors/", import.meta.url);
 
@@ -13,6 +13,32 @@ async function names(folder) {
 
 async function bytesOf(name) {
   return readFile(new URL(name, vectors));
+}
+
+async function modulesOfOneFamily() {
+  const modules = {};
+  for (const family of ["grid", "octree", "polynomial"]) {
+    const url = new URL(import.meta.resolve(`nearfield/nearfield-${family}.wasm`));
+    modules[family] = await WebAssembly.compile(await readFile(url));
+  }
+  return modules;
+}
+
+/** The files within a file, the field itself first and the coarsest level last, which lies first. */
+function levelsOf(bytes) {
+  const magic = bytes.subarray(0, 8);
+  const starts = [];
+  for (let start = 0; start !== -1; start = bytes.indexOf(magic, start + 8)) starts.push(start);
+  const files = starts.map((start) => bytes.subarray(start, start + bytes.readUInt32LE(start + 12)));
+  return [files[0], ...files.slice(1).reverse()];
+}
+
+/** Points in a box and around it. */
+function pointsIn([min, max]) {
+  return Float32Array.from({ length: 300 }, (_, index) => {
+    const axis = index % 3;
+    return min[axis] + (((index * 0.618034) % 1.2) - 0.1) * (max[axis] - min[axis]);
+  });
 }
 
 test("the answers of every vector of the format", async () => {
@@ -42,11 +68,7 @@ test("the answers of every vector of the format", async () => {
 });
 
 test("a module of one family has the answers of the module of all", async () => {
-  const modules = {};
-  for (const family of ["grid", "octree", "polynomial"]) {
-    const url = new URL(import.meta.resolve(`nearfield/nearfield-${family}.wasm`));
-    modules[family] = await WebAssembly.compile(await readFile(url));
-  }
+  const modules = await modulesOfOneFamily();
   const opened = { grid: 0, octree: 0, polynomial: 0 };
   for (const name of await names("valid/")) {
     const bytes = await bytesOf(name);
@@ -67,14 +89,71 @@ test("a module of one family has the answers of the module of all", async () => 
   for (const [family, count] of Object.entries(opened)) assert.ok(count > 10, `${count} of ${family}`);
 });
 
-test("no invalid vector opens", async () => {
+test("invalid vectors are refused for their reason", async () => {
+  const manifest = JSON.parse(await readFile(new URL("invalid/manifest.json", vectors), "utf8"));
+  const modules = Object.values(await modulesOfOneFamily());
   const invalid = await names("invalid/");
   assert.ok(invalid.length > 50);
   for (const name of invalid) {
-    await assert.rejects(bytesOf(name).then(open), FieldError, name);
+    const bytes = await bytesOf(name);
+    const rule = manifest[name.slice("invalid/".length, -".nfd".length)];
+    await assert.rejects(open(bytes), { name: "FieldError", rule }, name);
+    // Another family is a reason too.
+    for (const module of modules) {
+      await assert.rejects(open(bytes, module), FieldError, name);
+    }
   }
   await assert.rejects(open(new TextEncoder().encode("solid cube")), /does not start with the magic number/);
   await assert.rejects(open(new Uint8Array()), FieldError);
+});
+
+test("levels of detail are fields, in a module of one family too", async () => {
+  const modules = await modulesOfOneFamily();
+  for (const [family, levels] of [["polynomial", 3], ["octree", 2], ["grid", 2], ["polynomial_eight", 9]]) {
+    const bytes = await bytesOf(`valid/lods_${family}.nfd`);
+    for (const module of [undefined, modules[family.split("_")[0]]]) {
+      const field = await open(bytes, module);
+      assert.equal(field.lodCount, levels, family);
+      assert.equal(field.lod(0), field);
+      const all = Array.from({ length: levels }, (_, level) => field.lod(level));
+      for (const [number, level] of all.entries()) {
+        // A level is a whole file within the file: what it says and answers is what that file does.
+        const alone = await open(levelsOf(bytes)[number], module);
+        const where = `${family}, level ${number}`;
+        assert.deepEqual([level.bounds, level.targetError, level.contract], [alone.bounds, alone.targetError, alone.contract], where);
+        if (number > 0) assert.ok(level.targetError > all[number - 1].targetError, where);
+        const points = pointsIn(field.bounds);
+        assert.deepEqual(level.distancesAndGradients(points), alone.distancesAndGradients(points), where);
+        assert.deepEqual(level.raycast([-9, 1, 1], [1, 0.1, 0.1]), alone.raycast([-9, 1, 1], [1, 0.1, 0.1]), where);
+        assert.equal(level.lodCount, number === 0 ? levels : 1, where);
+      }
+      for (const missing of [levels, -1, 0.5, NaN, 2 ** 32 + 1]) assert.throws(() => field.lod(missing), RangeError);
+    }
+  }
+});
+
+test("a prefix is its finest whole level", async () => {
+  for (const family of ["polynomial", "octree", "grid"]) {
+    const bytes = await bytesOf(`valid/lods_${family}.nfd`);
+    const levels = levelsOf(bytes);
+    const targets = await Promise.all(levels.map(async (level) => (await open(level)).targetError));
+    let before = levels.length;
+    for (let length = 0; length <= bytes.length; length++) {
+      const field = await openPrefix(bytes.subarray(0, length));
+      const level = field === undefined ? levels.length : targets.indexOf(field.targetError);
+      // The next finer level is there with its last byte, and not before.
+      const isWhole = before > 0 && length === levels[before - 1].byteOffset + levels[before - 1].length - bytes.byteOffset;
+      assert.equal(level, isWhole ? before - 1 : before, `${length} bytes of ${family}`);
+      before = level;
+    }
+    assert.equal(before, 0, family);
+  }
+  await assert.rejects(openPrefix(new TextEncoder().encode("solid cube")), { rule: "Magic" });
+});
+
+test("modules of one family open whole files alone", async () => {
+  const { grid } = await modulesOfOneFamily();
+  await assert.rejects(Field.openPrefix(await bytesOf("valid/lods_grid.nfd"), grid), TypeError);
 });
 
 test("the header is there", async () => {

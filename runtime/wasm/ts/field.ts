@@ -1,11 +1,22 @@
-import { BATCH, Memory, type Exports } from "./memory.js";
+import { BATCH, Memory, MOST_LEVELS, type Exports } from "./memory.js";
+import { RULES } from "./rules.js";
 
 /** Coordinates in the units and the frame of the mesh. */
 export type Vector = readonly [x: number, y: number, z: number];
 
+/** The name of a rule that a file must keep, as section 13 of the specification of the format has it. */
+export type Rule = keyof typeof RULES;
+
 /** Bytes that are not a sound field. */
 export class FieldError extends Error {
   override name = "FieldError";
+
+  constructor(
+    /** The rule that they break. */
+    readonly rule: Rule,
+  ) {
+    super(RULES[rule]);
+  }
 }
 
 /** Errors measured over a set of points, mesh units. */
@@ -67,9 +78,10 @@ export class Field {
   private constructor(
     private readonly exports: Exports,
     private readonly memory: Memory,
+    private readonly pointer: number,
   ) {
     const description = memory.scratch;
-    exports.describe(memory.field, description);
+    exports.describe(pointer, description);
     const numbers = [...memory.floats(description, 17)];
     const counts = memory.data(description + 17 * 4, 8);
     const number = (index: number): number => numbers[index]!;
@@ -99,34 +111,78 @@ export class Field {
    * @throws FieldError when they are not a sound field.
    */
   static async open(bytes: Uint8Array, module: WebAssembly.Module): Promise<Field> {
+    return Field.openBy("open", bytes, module);
+  }
+
+  /**
+   * Opens the finest level of detail that is whole in the first bytes of a file, or the field itself once these are all its
+   * bytes: what can be asked while the rest still arrives. Undefined while there is none yet.
+   *
+   * @param module the module that reads every family
+   * @throws FieldError when they cannot become a sound field.
+   */
+  static async openPrefix(bytes: Uint8Array, module: WebAssembly.Module): Promise<Field | undefined> {
+    try {
+      return await Field.openBy("open_prefix", bytes, module);
+    } catch (error) {
+      if (error instanceof FieldError && error.rule === "Truncated") return undefined;
+      throw error;
+    }
+  }
+
+  private static async openBy(way: "open" | "open_prefix", bytes: Uint8Array, module: WebAssembly.Module): Promise<Field> {
     const instance = await WebAssembly.instantiate(module);
     const exports = instance.exports as unknown as Exports;
+    const open = exports[way];
+    if (open === undefined) throw new TypeError("a module of one family opens whole files alone");
     const memory = new Memory(exports, bytes.length);
     memory.bytes(memory.file, bytes.length).set(bytes);
 
-    const length = exports.open(memory.file, bytes.length, memory.field, memory.scratch);
-    if (length !== 0) {
-      const message = memory.data(memory.scratch, 4).getUint32(0, true);
-      throw new FieldError(new TextDecoder().decode(memory.bytes(message, length)));
-    }
-    return new Field(exports, memory);
+    const broken = open(memory.file, bytes.length, memory.field(0));
+    if (broken !== 0) throw new FieldError((Object.keys(RULES) as Rule[])[broken - 1]!);
+    return new Field(exports, memory, memory.field(0));
+  }
+
+  /** How many levels of detail there are, the field itself among them: at least 1. */
+  get lodCount(): number {
+    let count = 1;
+    while (this.hasLevel(count)) count += 1;
+    return count;
+  }
+
+  /**
+   * The field at a level of detail: 0 is the field itself, 1 the next coarser, and so on. It is a field of its own in the
+   * same memory, with its own box and contract.
+   *
+   * @throws RangeError when there is no such level.
+   */
+  lod(level: number): Field {
+    if (level === 0) return this;
+    if (!this.hasLevel(level)) throw new RangeError(`there are the levels 0 to ${this.lodCount - 1}, and not ${level}`);
+    return new Field(this.exports, this.memory, this.memory.field(level));
+  }
+
+  /** Puts a level where it belongs in the memory, if there is one. */
+  private hasLevel(level: number): boolean {
+    const exists = Number.isInteger(level) && level > 0 && level <= MOST_LEVELS;
+    return exists && this.exports.lod(this.pointer, level, this.memory.field(level)) !== 0;
   }
 
   /** Signed distance at a point: mesh units, negative inside. Finite for every finite point; outside an upper bound. */
   distance(x: number, y: number, z: number): number {
-    return this.exports.distance(this.memory.field, x, y, z);
+    return this.exports.distance(this.pointer, x, y, z);
   }
 
   /** How far a point is at least from the true surface, as far as the contract goes. At most 0 where nothing is known. */
   clearance(x: number, y: number, z: number): number {
-    return this.exports.clearance(this.memory.field, x, y, z);
+    return this.exports.clearance(this.pointer, x, y, z);
   }
 
   /** Signed distance at a point, and the slope of the field there. */
   distanceAndGradient(x: number, y: number, z: number): { distance: number; gradient: Vector } {
-    const { field, points, distances, gradients } = this.memory;
+    const { points, distances, gradients } = this.memory;
     this.memory.floats(points, 3).set([x, y, z]);
-    this.exports.distances_and_gradients(field, points, distances, gradients, 1);
+    this.exports.distances_and_gradients(this.pointer, points, distances, gradients, 1);
     const [distance] = this.memory.floats(distances, 1);
     return { distance: distance!, gradient: vector(this.memory.floats(gradients, 3), 0) };
   }
@@ -138,9 +194,9 @@ export class Field {
    * @param into where the distances go, one number a point; a new array by default
    */
   distances(points: Float32Array, into = new Float32Array(pointCount(points))): Float32Array {
-    const { field, points: asked, distances } = this.memory;
+    const { points: asked, distances } = this.memory;
     this.inBatches(points, (start, count) => {
-      this.exports.distances(field, asked, distances, count);
+      this.exports.distances(this.pointer, asked, distances, count);
       into.set(this.memory.floats(distances, count), start);
     });
     return into;
@@ -148,13 +204,13 @@ export class Field {
 
   /** Signed distances at many points, three numbers each, and the slopes of the field there. */
   distancesAndGradients(points: Float32Array): DistancesAndGradients {
-    const { field, points: asked, distances, gradients } = this.memory;
+    const { points: asked, distances, gradients } = this.memory;
     const answers = {
       distances: new Float32Array(pointCount(points)),
       gradients: new Float32Array(points.length),
     };
     this.inBatches(points, (start, count) => {
-      this.exports.distances_and_gradients(field, asked, distances, gradients, count);
+      this.exports.distances_and_gradients(this.pointer, asked, distances, gradients, count);
       answers.distances.set(this.memory.floats(distances, count), start);
       answers.gradients.set(this.memory.floats(gradients, count * 3), start * 3);
     });
@@ -168,10 +224,10 @@ export class Field {
    * before the true surface, with 0 on the field's.
    */
   raycast(origin: Vector, direction: Vector, { length = Infinity, within = 0 } = {}): Raycast {
-    const { field, scratch } = this.memory;
+    const { scratch } = this.memory;
     this.memory.floats(scratch, 8).set([...origin, ...direction, length, within]);
     const hit = scratch + 8 * 4;
-    const kind = this.exports.raycast(field, scratch, hit);
+    const kind = this.exports.raycast(this.pointer, scratch, hit);
     const numbers = this.memory.floats(hit, 7);
     const distance = numbers[0]!;
     if (kind === 0) return { kind: "miss" };
@@ -185,8 +241,8 @@ export class Field {
    * The end is no farther from the surface than the start; that it is the closest point is not promised.
    */
   closestPoint(x: number, y: number, z: number): { point: Vector; residual: number } {
-    const { field, scratch } = this.memory;
-    const residual = this.exports.closest_point(field, x, y, z, scratch);
+    const { scratch } = this.memory;
+    const residual = this.exports.closest_point(this.pointer, x, y, z, scratch);
     return { point: vector(this.memory.floats(scratch, 3), 0), residual };
   }
 

@@ -3,7 +3,10 @@ export interface Exports {
   readonly memory: WebAssembly.Memory;
   readonly __heap_base: WebAssembly.Global;
   field_size(): number;
-  open(file: number, length: number, field: number, message: number): number;
+  open(file: number, length: number, field: number): number;
+  /** Not in modules of one family. */
+  open_prefix?(file: number, length: number, field: number): number;
+  lod(field: number, level: number, lod: number): number;
   describe(field: number, description: number): void;
   distance(field: number, x: number, y: number, z: number): number;
   clearance(field: number, x: number, y: number, z: number): number;
@@ -13,17 +16,20 @@ export interface Exports {
   closest_point(field: number, x: number, y: number, z: number, end: number): number;
 }
 
-/** Bytes for the message of an error, or the numbers of one query. */
+/** Bytes for the numbers of one query. */
 export const SCRATCH = 256;
 /** Points that pass through the memory at a time, so that it stays small however many there are. */
 export const BATCH = 16384;
 
+/** Most levels of detail beside the field itself: `MAX_LODS` of the format. */
+export const MOST_LEVELS = 8;
+
 const F32 = 4;
 const PAGE = 65536;
 
-/** How the memory of one instance is divided: the field, scratch, a batch of points with its answers, the file. */
+/** How the memory of one instance is divided: the field and its levels, scratch, a batch of points with its answers, the file. */
 export class Memory {
-  readonly field: number;
+  private readonly fields: number;
   readonly scratch: number;
   readonly points: number;
   readonly distances: number;
@@ -40,7 +46,7 @@ export class Memory {
       end = align(start + bytes);
       return start;
     };
-    this.field = take(exports.field_size());
+    this.fields = take((1 + MOST_LEVELS) * exports.field_size());
     this.scratch = take(SCRATCH);
     this.points = take(BATCH * 3 * F32);
     this.distances = take(BATCH * F32);
@@ -49,6 +55,11 @@ export class Memory {
 
     const missing = end - exports.memory.buffer.byteLength;
     if (missing > 0) exports.memory.grow(Math.ceil(missing / PAGE));
+  }
+
+  /** Where the field at a level of detail is. */
+  field(level: number): number {
+    return this.fields + level * this.exports.field_size();
   }
 
   /** The memory as numbers from a pointer on. Nothing grows it after the constructor. */

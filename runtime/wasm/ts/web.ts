@@ -16,6 +16,16 @@ export async function open(bytes: Uint8Array, module?: WebAssembly.Module): Prom
   return Field.open(bytes, module ?? (await (compiled ??= compile())));
 }
 
+/**
+ * Opens the finest level of detail that is whole in the first bytes of a file, or the field itself once these are all its
+ * bytes: what can be asked while the rest still arrives. Undefined while there is none yet.
+ *
+ * @throws FieldError when they cannot become a sound field.
+ */
+export async function openPrefix(bytes: Uint8Array): Promise<Field | undefined> {
+  return Field.openPrefix(bytes, await (compiled ??= compile()));
+}
+
 async function compile(): Promise<WebAssembly.Module> {
   const url = new URL("./nearfield.wasm", import.meta.url);
   const response = await fetch(url);
