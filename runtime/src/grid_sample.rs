@@ -53,11 +53,21 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
+        let codes = self.rows_of(cell).map(|at| self.two_codes(at));
+        let bases = self.corner_bases(cell);
         let mut distances = Corners::default();
-        for (corner, distance) in distances.iter_mut().enumerate() {
-            *distance = self.lone_distance(Self::corner(cell, corner as u32));
+        for edge in 0..4 {
+            distances[edge] = decode_distance(bases[edge], codes[edge] & 0xFFFF, self.quantum);
+            distances[4 + edge] = decode_distance(bases[4 + edge], codes[edge] >> 16, self.quantum);
         }
         distances
+    }
+
+    /// The 16-bit code of a sample in the lower half, and that of the next in the upper.
+    #[inline]
+    fn two_codes(&self, at: usize) -> u32 {
+        let [word, next] = [at / 2, at / 2 + 1].map(|place| u64::from(self.samples.word(place)));
+        ((word | next << 32) >> (16 * (at & 1))) as u32
     }
 
     /// The distance of a sample of order 0.
@@ -94,14 +104,19 @@ impl Grid<'_> {
     #[inline]
     pub(crate) fn read_packed(&self, cell: [u32; 3], PackedCorners { words, bases }: &mut PackedCorners) {
         *words = self.corner_words(cell);
+        *bases = self.corner_bases(cell);
+    }
+
+    /// Base distances of the samples at the corners of a cell, in quanta.
+    #[inline]
+    fn corner_bases(&self, cell: [u32; 3]) -> [i32; 8] {
         if !self.has_brick_ranges() {
-            *bases = [self.base([0; 3]); 8];
-            return;
+            return [self.base([0; 3]); 8];
         }
         let (first, [x, y, z]) = self.bricks_of(cell);
         let at = |brick: usize| self.bases.word(brick).cast_signed();
         let (beyond, yz) = (first + x, y + z);
-        *bases = [
+        [
             at(first),
             at(first + z),
             at(first + y),
@@ -110,7 +125,7 @@ impl Grid<'_> {
             at(beyond + z),
             at(beyond + y),
             at(beyond + yz),
-        ];
+        ]
     }
 
     /// The same of samples of several words.
@@ -132,12 +147,18 @@ impl Grid<'_> {
     /// The words at the corners of a cell, of samples of one word each.
     #[inline]
     fn corner_words(&self, cell: [u32; 3]) -> [u32; 8] {
-        let (first, [row, layer]) = self.index(cell);
-        let near = [first, first + layer, first + row, first + layer + row];
-        // Neighbours along x are neighbours in the section.
-        let [a, b, c, d] = near.map(|at| self.samples.word(at));
-        let [e, f, g, h] = near.map(|at| self.samples.word(at + 1));
+        let rows = self.rows_of(cell);
+        let [a, b, c, d] = rows.map(|at| self.samples.word(at));
+        let [e, f, g, h] = rows.map(|at| self.samples.word(at + 1));
         [a, b, c, d, e, f, g, h]
+    }
+
+    /// Numbers of the samples at the corners of a cell that are least along x: neighbours along x are neighbours in the
+    /// section.
+    #[inline]
+    fn rows_of(&self, cell: [u32; 3]) -> [usize; 4] {
+        let (first, [row, layer]) = self.index(cell);
+        [first, first + layer, first + row, first + layer + row]
     }
 
     /// The samples at the corners of a cell, of any order.
