@@ -54,8 +54,8 @@ impl Grid<'_> {
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
         let codes = self.rows_of(cell).map(|at| self.two_codes(at));
-        let bases = self.corner_bases(cell);
-        let mut distances = Corners::default();
+        let (mut bases, mut distances) = ([0; 8], Corners::default());
+        self.read_bases(cell, &mut bases);
         for edge in 0..4 {
             distances[edge] = decode_distance(bases[edge], codes[edge] & 0xFFFF, self.quantum);
             distances[4 + edge] = decode_distance(bases[4 + edge], codes[edge] >> 16, self.quantum);
@@ -83,7 +83,7 @@ impl Grid<'_> {
 
     /// Writes the samples at the corners of a cell of a grid of order 1. Returned by value they would lie twice on the
     /// stack of a microcontroller.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
             let mut packed = PackedCorners::default();
@@ -104,19 +104,20 @@ impl Grid<'_> {
     #[inline]
     pub(crate) fn read_packed(&self, cell: [u32; 3], PackedCorners { words, bases }: &mut PackedCorners) {
         *words = self.corner_words(cell);
-        *bases = self.corner_bases(cell);
+        self.read_bases(cell, bases);
     }
 
-    /// Base distances of the samples at the corners of a cell, in quanta.
+    /// Reads the base distances of the samples at the corners of a cell, in quanta.
     #[inline]
-    fn corner_bases(&self, cell: [u32; 3]) -> [i32; 8] {
+    fn read_bases(&self, cell: [u32; 3], bases: &mut [i32; 8]) {
         if !self.has_brick_ranges() {
-            return [self.base([0; 3]); 8];
+            *bases = [self.base([0; 3]); 8];
+            return;
         }
         let (first, [x, y, z]) = self.bricks_of(cell);
         let at = |brick: usize| self.bases.word(brick).cast_signed();
         let (beyond, yz) = (first + x, y + z);
-        [
+        *bases = [
             at(first),
             at(first + z),
             at(first + y),
@@ -125,7 +126,7 @@ impl Grid<'_> {
             at(beyond + z),
             at(beyond + y),
             at(beyond + yz),
-        ]
+        ];
     }
 
     /// The same of samples of several words.
