@@ -33,19 +33,23 @@ struct Seams {
     farthest: f32,
 }
 
-/// Bakes a small mesh and asks both sides of every face, at points that include its corners and edges.
-fn seams(interpolant: Interpolant, continuity: Continuity, precision: Precision) -> Seams {
-    let error = Target::Relative(4e-3);
-    let settings = Settings {
-        error,
+/// An octree of interpolants with this error, a fraction of the diagonal.
+fn octree(error: f64, interpolant: Interpolant, continuity: Continuity, precision: Precision) -> Settings {
+    Settings {
+        layout: Layout::Octree,
+        error: Target::Relative(error),
         interpolant,
         continuity,
         precision,
         max_depth: 6,
         samples: 5_000,
-        layout: Layout::Octree,
         ..Settings::default()
-    };
+    }
+}
+
+/// Bakes a small mesh and asks both sides of every face, at points that include its corners and edges.
+fn seams(interpolant: Interpolant, continuity: Continuity, precision: Precision) -> Seams {
+    let settings = octree(4e-3, interpolant, continuity, precision);
     let baked = bake(&shapes::read("bob_small.ply"), &settings, &Silent).expect("the mesh bakes");
     let field = Field::open(&baked.bytes).expect("a field");
     let octree = field.octree().expect("an octree");
@@ -116,17 +120,7 @@ fn no_face_of_the_test_set_jumps_by_more_than_rounding() {
             [(Interpolant::Trilinear, Continuity::C0), (Interpolant::Tricubic, Continuity::C1)]
         {
             for precision in [Precision::Packed32, Precision::F16, Precision::F32] {
-                let error = Target::Relative(3e-3);
-                let settings = Settings {
-                    error,
-                    interpolant,
-                    continuity,
-                    precision,
-                    max_depth: 6,
-                    samples: 1_000,
-                    layout: Layout::Octree,
-                    ..Settings::default()
-                };
+                let settings = Settings { samples: 1_000, ..octree(3e-3, interpolant, continuity, precision) };
                 let baked = bake(&mesh, &settings, &Silent).expect("the mesh bakes");
                 let measured = baked.report.measurement.seams;
                 let bound = measured.bound.expect("an octree of interpolants");

@@ -98,6 +98,7 @@ impl Rim {
         let (mut nearest, mut steepness) = (f32x8::splat(f32::INFINITY), f32x8::ZERO);
         for capsules in &self.capsules {
             let gap = capsules.gap(query);
+            // Outside a capsule no edge of it is nearer than the slack.
             let per_gap = f32x8::ONE / gap.fast_max(f32x8::splat(CAPSULE_SLACK as f32));
             nearest = nearest.fast_min(gap);
             steepness += per_gap * (capsules.length * per_gap).fast_min(capsules.count);
