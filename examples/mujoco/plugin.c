@@ -166,13 +166,14 @@ static void destroy(mjData *data, int instance) {
     data->plugin_data[instance] = 0;
 }
 
+/* One coordinate of a point in the field. */
+static float placed(const Shape *shape, int axis, const mjtNum point[3]) {
+    const mjtNum *row = shape->rotation + 3 * axis;
+    return (float)(row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + shape->position[axis]);
+}
+
 static NearfieldVector in_field(const Shape *shape, const mjtNum point[3]) {
-    mjtNum placed[3];
-    for (int axis = 0; axis < 3; axis++) {
-        const mjtNum *row = shape->rotation + 3 * axis;
-        placed[axis] = row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + shape->position[axis];
-    }
-    return vector(placed);
+    return (NearfieldVector){placed(shape, 0, point), placed(shape, 1, point), placed(shape, 2, point)};
 }
 
 /* A point that a shape was asked at, and what is known there. */
@@ -191,18 +192,26 @@ static bool is_about(const Question *question, const NearfieldField *field, Near
 
 /* To find a contact MuJoCo descends on a pair of shapes. It asks them by turns, each up to four times at a point where it
  * stands, then at ten or so that come ever nearer to it: so a thread remembers what it asked of either, and a cursor the leaf. */
+typedef struct Asked {
+    Question questions[2];
+    int latest;
+} Asked;
+
+/* Apart, since finding it is a call, which compilers make anew for each use. */
+static __attribute__((noinline)) Asked *asked_by_thread(void) {
+    static _Thread_local Asked asked;
+    return &asked;
+}
+
 static Question *ask(const Shape *shape, const mjtNum point[3]) {
-    static _Thread_local struct {
-        Question questions[2];
-        int latest;
-    } asked;
+    Asked *asked = asked_by_thread();
     const NearfieldField *field = shape->field;
     const NearfieldVector at = in_field(shape, point);
-    Question *latest = &asked.questions[asked.latest];
+    Question *latest = &asked->questions[asked->latest];
     if (is_about(latest, field, at)) return latest;
 
-    asked.latest = 1 - asked.latest;
-    Question *question = &asked.questions[asked.latest];
+    asked->latest = 1 - asked->latest;
+    Question *question = &asked->questions[asked->latest];
     if (is_about(question, field, at)) return question;
     if (question->field != field) nearfield_cursor(field, &question->cursor);
     question->field = field;
@@ -213,23 +222,27 @@ static Question *ask(const Shape *shape, const mjtNum point[3]) {
 
 static mjtNum sdf_distance(const mjtNum point[3], const mjData *data, int instance) {
     Question *question = ask((const Shape *)data->plugin_data[instance], point);
-    if (question->known == NOTHING) {
-        question->answer.distance = nearfield_cursor_distance(&question->cursor, question->point);
-        question->known = DISTANCE;
-    }
-    return question->answer.distance;
+    if (question->known != NOTHING) return question->answer.distance;
+    const float distance = nearfield_cursor_distance(&question->cursor, question->point);
+    question->answer.distance = distance;
+    question->known = DISTANCE;
+    return distance;
 }
 
 static void sdf_gradient(mjtNum gradient[3], const mjtNum point[3], const mjData *data, int instance) {
     const Shape *shape = (const Shape *)data->plugin_data[instance];
     Question *question = ask(shape, point);
+    NearfieldSample answer = question->answer;
     if (question->known != GRADIENT) {
-        question->answer = nearfield_cursor_distance_and_gradient(&question->cursor, question->point);
+        answer = nearfield_cursor_distance_and_gradient(&question->cursor, question->point);
+        question->answer = answer;
         question->known = GRADIENT;
     }
-    const NearfieldVector slope = question->answer.gradient;
-    const mjtNum of_field[3] = {slope.x, slope.y, slope.z};
-    mju_mulMatTVec3(gradient, shape->rotation, of_field);
+    const NearfieldVector slope = answer.gradient;
+    const mjtNum *rotation = shape->rotation;
+    for (int axis = 0; axis < 3; axis++) {
+        gradient[axis] = rotation[axis] * slope.x + rotation[3 + axis] * slope.y + rotation[6 + axis] * slope.z;
+    }
 }
 
 /* What MuJoCo requires of every plugin; a field has no state. */

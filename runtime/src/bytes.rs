@@ -77,6 +77,13 @@ impl<'a> Words<'a> {
         self.0.get(at).map_or(0, |&word| u32::from_le_bytes(word))
     }
 
+    /// The 16 bits of half `at`, and above them those of the next; zero unless both lie inside.
+    #[inline]
+    pub(crate) fn two_halves(self, at: usize) -> u32 {
+        let tail = self.0.as_flattened().get(2 * at..);
+        tail.and_then(<[u8]>::first_chunk).map_or(0, |&halves| u32::from_le_bytes(halves))
+    }
+
     /// The first `N` words, each little-endian, if there are so many.
     #[inline]
     pub(crate) fn window<const N: usize>(self) -> Option<&'a [[u8; 4]; N]> {

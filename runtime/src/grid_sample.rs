@@ -53,7 +53,7 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
-        let codes = self.rows_of(cell).map(|at| self.two_codes(at));
+        let codes = self.rows_of(cell).map(|at| self.samples.two_halves(at));
         let (mut bases, mut distances) = ([0; 8], Corners::default());
         self.read_bases(cell, &mut bases);
         for edge in 0..4 {
@@ -61,13 +61,6 @@ impl Grid<'_> {
             distances[4 + edge] = decode_distance(bases[4 + edge], codes[edge] >> 16, self.quantum);
         }
         distances
-    }
-
-    /// The 16-bit code of a sample in the lower half, and that of the next in the upper.
-    #[inline]
-    fn two_codes(&self, at: usize) -> u32 {
-        let [word, next] = [at / 2, at / 2 + 1].map(|place| u64::from(self.samples.word(place)));
-        ((word | next << 32) >> (16 * (at & 1))) as u32
     }
 
     /// The distance of a sample of order 0.
@@ -110,12 +103,12 @@ impl Grid<'_> {
     /// Reads the base distances of the samples at the corners of a cell, in quanta.
     #[inline]
     fn read_bases(&self, cell: [u32; 3], bases: &mut [i32; 8]) {
+        let at = |brick: usize| self.bases.word(brick).cast_signed();
         if !self.has_brick_ranges() {
-            *bases = [self.base([0; 3]); 8];
+            *bases = [at(0); 8];
             return;
         }
         let (first, [x, y, z]) = self.bricks_of(cell);
-        let at = |brick: usize| self.bases.word(brick).cast_signed();
         let (beyond, yz) = (first + x, y + z);
         *bases = [
             at(first),
