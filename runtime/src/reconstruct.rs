@@ -191,8 +191,12 @@ impl Grid<'_> {
     pub fn evaluate(&self, cell: [u32; 3], local: [f32; 3]) -> (f32, [f32; 3]) {
         let last = self.resolution();
         let cell = each_axis(|axis| cell[axis].min(last[axis] - 2));
+        // Apart from the others, which leave their answers in memory: read again together, these would be waited for.
+        if let (0, Reconstruction::Linear) = (self.order(), self.reconstruction()) {
+            let (value, slopes) = trilinear_and_derivatives(&self.distances(cell), local);
+            return (value, self.per_unit(slopes));
+        }
         let (value, slopes) = match (self.order(), self.reconstruction()) {
-            (0, Reconstruction::Linear) => trilinear_and_derivatives(&self.distances(cell), local),
             (1, Reconstruction::Nearest) => self.rare(cell, local),
             (1, _) => {
                 let mut corners = FirstOrder::ZERO;
