@@ -145,16 +145,18 @@ impl Lattice {
     }
 
     /// [`position`](Self::position) and [`cell_of`](Self::cell_of), and a zero, and along which axes the point is not in the
-    /// box: apart and in memory, which makes four-wide code.
+    /// box: apart and to memory, which makes four-wide code. The coordinates come in registers: processors wait for what is
+    /// written to memory one by one and read together.
     #[inline(never)]
     pub(crate) fn locate(
         &self,
-        point: &Position,
+        x: f32, y: f32, z: f32,
         position: &mut Position,
         cell: &mut [u32; 4],
         outside: &mut [u32; 4],
     ) {
         const ROUNDING: f32 = (1 << 23) as f32;
+        let point = [x, y, z, 0.0];
         for lane in 0..4 {
             outside[lane] = u32::from(!((point[lane] >= self.min[lane]) & (point[lane] <= self.max[lane])));
             let cells = (point[lane] - self.min[lane]) * self.cells_per_unit;

@@ -4,7 +4,7 @@
 //! all points that it has a say at, and that a vector holds a number of four points rather than four of one.
 
 use crate::blend::Other;
-use crate::lattice::{Position, padded};
+use crate::lattice::Position;
 use crate::polynomial_leaf::{Answer, Bits, Polynomials};
 use crate::polynomial_octree::{Place, PolynomialOctree};
 use crate::polynomial_rows::{Answers, POINTS, Row, Sums, holds, locals};
@@ -62,7 +62,8 @@ impl<'a> PolynomialOctree<'a> {
             && let Some(&first) = rest.first()
         {
             let mut place = Place::default();
-            self.lattice.locate(&padded(first), &mut place.position, &mut place.cell, &mut [0; 4]);
+            let [x, y, z] = first;
+            self.lattice.locate(x, y, z, &mut place.position, &mut place.cell, &mut [0; 4]);
             self.find(&mut place);
             let is_run = rest.get(LEAST_POINTS - 1).is_some_and(|&point| self.position_within(&place, point).is_some());
             if is_run {
@@ -98,7 +99,8 @@ impl<'a> PolynomialOctree<'a> {
     #[inline]
     fn position_within(&self, place: &Place, point: [f32; 3]) -> Option<Position> {
         let (mut position, mut cell) = ([0.0; 4], [0; 4]);
-        self.lattice.locate(&padded(point), &mut position, &mut cell, &mut [0; 4]);
+        let [x, y, z] = point;
+        self.lattice.locate(x, y, z, &mut position, &mut cell, &mut [0; 4]);
         let different = (cell[0] ^ place.cell[0]) | (cell[1] ^ place.cell[1]) | (cell[2] ^ place.cell[2]);
         (different >> place.shift == 0).then_some(position)
     }

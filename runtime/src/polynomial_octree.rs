@@ -275,9 +275,9 @@ impl<'a> PolynomialOctree<'a> {
     /// What the leaf that holds a point of the box answers alone, distance and gradient: faster than
     /// [`Field::distance_and_gradient`](crate::Field::distance_and_gradient), which blends leaves where they overlap, and with
     /// jumps on their faces. `None` outside the box.
-    pub fn unblended(&self, point: [f32; 3]) -> Option<(f32, [f32; 3])> {
+    pub fn unblended(&self, [x, y, z]: [f32; 3]) -> Option<(f32, [f32; 3])> {
         let (mut place, mut outside) = (Place::default(), [0; 4]);
-        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut outside);
+        self.lattice.locate(x, y, z, &mut place.position, &mut place.cell, &mut outside);
         if outside[0] | outside[1] | outside[2] != 0 {
             return None;
         }
@@ -291,9 +291,9 @@ impl<'a> PolynomialOctree<'a> {
 
     /// Value and, if asked for, gradient at a point of the box.
     #[inline(never)]
-    pub(crate) fn query(&self, point: [f32; 3], with_gradient: bool) -> Answer {
+    pub(crate) fn query(&self, [x, y, z]: [f32; 3], with_gradient: bool) -> Answer {
         let mut place = Place::default();
-        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
+        self.lattice.locate(x, y, z, &mut place.position, &mut place.cell, &mut [0; 4]);
         self.find(&mut place);
         self.answer_at(&place, with_gradient)
     }
@@ -314,10 +314,10 @@ impl<'a> PolynomialOctree<'a> {
 
     /// The same from the last visit, which it changes.
     #[inline(never)]
-    pub(crate) fn query_from(&self, point: [f32; 3], with_gradient: bool, visit: &mut Visit) -> Answer {
+    pub(crate) fn query_from(&self, [x, y, z]: [f32; 3], with_gradient: bool, visit: &mut Visit) -> Answer {
         let Visit { known, place, codes, polynomials } = visit;
         let last = place.cell;
-        self.lattice.locate(&padded(point), &mut place.position, &mut place.cell, &mut [0; 4]);
+        self.lattice.locate(x, y, z, &mut place.position, &mut place.cell, &mut [0; 4]);
         let [x, y, z, _] = place.cell;
         let different = (x ^ last[0]) | (y ^ last[1]) | (z ^ last[2]);
         let is_same = *known != Known::Nothing && different >> place.shift == 0;
