@@ -54,6 +54,8 @@ pub struct Grid<'a> {
     cells_per_unit: [f32; 3],
     /// Cells along each axis.
     cells: [f32; 3],
+    /// By what the slope of a first-order sample along each axis is multiplied, and 0.
+    pub(crate) slope_scale: [f32; 4],
     pub(crate) quantum: f32,
     order: u8,
     reconstruction: Reconstruction,
@@ -114,6 +116,7 @@ impl<'a> Grid<'a> {
         } else {
             Words::new(sections::find_bytes(bytes, section::BASES)?)
         };
+        let [x, y, z] = spacing.map(|spacing| if reconstruction == Reconstruction::Half { 0.5 * spacing } else { spacing });
         let steps = |[x, y, _]: [u32; 3]| [x as usize, x as usize * y as usize];
         let grid = Self {
             samples,
@@ -125,6 +128,7 @@ impl<'a> Grid<'a> {
             spacing,
             cells_per_unit: spacing.map(|spacing| 1.0 / spacing),
             cells: resolution.map(|samples| (samples - 1) as f32),
+            slope_scale: [x, y, z, 0.0],
             quantum,
             order,
             reconstruction,

@@ -23,8 +23,9 @@ impl FirstOrder {
     pub(crate) const ZERO: Self = Self { distance: [0.0; 8], gradient: [[0.0; 8]; 3] };
 }
 
-/// Decodes packed samples. One plain loop that ends in memory, which compilers turn into vectors where they do not inline it.
-#[inline(never)]
+/// Decodes packed samples. One plain loop that ends in memory, which compilers turn into vectors where they do not inline it
+/// into more than a reader of the samples.
+#[inline(always)]
 fn decode_packed(words: &[u32; 8], bases: &[i32; 8], quantum: f32, corners: &mut FirstOrder) {
     let [by_x, by_y, by_z] = &mut corners.gradient;
     for corner in 0..8 {
@@ -79,16 +80,21 @@ impl Grid<'_> {
     #[inline(always)]
     pub(crate) fn read_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
         if self.precision == GridPrecision::Packed32 {
-            let mut packed = PackedCorners::default();
-            self.read_packed(cell, &mut packed);
-            self.decode(&packed, corners);
+            self.read_packed_first_order(cell, corners);
         } else {
             self.read_wide_first_order(cell, corners);
         }
     }
 
+    #[inline(never)]
+    fn read_packed_first_order(&self, cell: [u32; 3], corners: &mut FirstOrder) {
+        let mut packed = PackedCorners::default();
+        self.read_packed(cell, &mut packed);
+        decode_packed(&packed.words, &packed.bases, self.quantum, corners);
+    }
+
     /// The same of samples that were read before.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn decode(&self, PackedCorners { words, bases }: &PackedCorners, corners: &mut FirstOrder) {
         decode_packed(words, bases, self.quantum, corners);
     }

@@ -46,9 +46,17 @@ impl Weights {
 type Face = [f32; 4];
 
 /// The weights of the far ends where those of a grid are smooth (SPEC.md §11.4), and their derivatives.
+#[derive(Clone, Copy, Default)]
+struct Smooth {
+    far: [f32; 4],
+    change: [f32; 4],
+}
+
+// As in `hermite`, these functions stay apart, take coordinates in registers and end in memory.
+
 #[inline(never)]
-fn smooth_weights(local: &[f32; 4], far: &mut [f32; 4], change: &mut [f32; 4]) {
-    for (axis, &t) in local.iter().enumerate() {
+fn smooth_weights(x: f32, y: f32, z: f32, Smooth { far, change }: &mut Smooth) {
+    for (axis, t) in [x, y, z, 0.0].into_iter().enumerate() {
         far[axis] = t * t * (3.0 - 2.0 * t);
         change[axis] = 6.0 * t * (1.0 - t);
     }
@@ -56,24 +64,28 @@ fn smooth_weights(local: &[f32; 4], far: &mut [f32; 4], change: &mut [f32; 4]) {
 
 /// The basis of polynomials with these weights, of whose slopes a share counts: that share times the spacing is `slope`.
 #[inline(never)]
-fn weighted_basis(local: &[f32; 4], far: &[f32; 4], slope: &[f32; 4], basis: &mut Basis) {
-    for (axis, &t) in local.iter().enumerate() {
+fn weighted_basis(x: f32, y: f32, z: f32, smooth: Option<&Smooth>, slope: &[f32; 4], basis: &mut Basis) {
+    let local = [x, y, z, 0.0];
+    let far = smooth.map_or(local, |smooth| smooth.far);
+    for axis in 0..4 {
         let near = 1.0 - far[axis];
         basis[0][axis] = near;
         basis[1][axis] = far[axis];
-        basis[2][axis] = slope[axis] * (t * near);
-        basis[3][axis] = slope[axis] * ((t - 1.0) * far[axis]);
+        basis[2][axis] = slope[axis] * (local[axis] * near);
+        basis[3][axis] = slope[axis] * ((local[axis] - 1.0) * far[axis]);
     }
 }
 
 /// Its derivative.
 #[inline(never)]
-fn weighted_basis_derivative(local: &[f32; 4], far: &[f32; 4], change: &[f32; 4], slope: &[f32; 4], basis: &mut Basis) {
-    for (axis, &t) in local.iter().enumerate() {
+fn weighted_basis_derivative(x: f32, y: f32, z: f32, smooth: Option<&Smooth>, slope: &[f32; 4], basis: &mut Basis) {
+    let local = [x, y, z, 0.0];
+    let Smooth { far, change } = smooth.copied().unwrap_or(Smooth { far: local, change: [1.0; 4] });
+    for axis in 0..4 {
         basis[0][axis] = -change[axis];
         basis[1][axis] = change[axis];
-        basis[2][axis] = slope[axis] * ((1.0 - far[axis]) - t * change[axis]);
-        basis[3][axis] = slope[axis] * (far[axis] + (t - 1.0) * change[axis]);
+        basis[2][axis] = slope[axis] * ((1.0 - far[axis]) - local[axis] * change[axis]);
+        basis[3][axis] = slope[axis] * (far[axis] + (local[axis] - 1.0) * change[axis]);
     }
 }
 
@@ -230,33 +242,24 @@ impl Grid<'_> {
     /// The basis at a point of a cell, and its derivatives by local coordinates.
     #[inline]
     fn basis(&self, [x, y, z]: [f32; 3], basis: &mut Basis, derivative: Option<&mut Basis>) {
-        let (local, slope) = ([x, y, z, 0.0], self.slope_scale());
         if self.reconstruction() == Reconstruction::Hermite {
-            hermite::basis(&local, basis);
-            scale_slopes(basis, &slope);
+            hermite::basis(x, y, z, basis);
+            scale_slopes(basis, &self.slope_scale);
             if let Some(derivative) = derivative {
-                hermite::basis_derivative(&local, derivative);
-                scale_slopes(derivative, &slope);
+                hermite::basis_derivative(x, y, z, derivative);
+                scale_slopes(derivative, &self.slope_scale);
             }
             return;
         }
 
-        let (mut far, mut change) = (local, [1.0; 4]);
+        let mut smooth = None;
         if self.smoothness() > 0 {
-            smooth_weights(&local, &mut far, &mut change);
+            smooth_weights(x, y, z, smooth.insert(Smooth::default()));
         }
-        weighted_basis(&local, &far, &slope, basis);
+        weighted_basis(x, y, z, smooth.as_ref(), &self.slope_scale, basis);
         if let Some(derivative) = derivative {
-            weighted_basis_derivative(&local, &far, &change, &slope, derivative);
+            weighted_basis_derivative(x, y, z, smooth.as_ref(), &self.slope_scale, derivative);
         }
-    }
-
-    /// By what the slope of a sample along each axis is multiplied.
-    #[inline]
-    fn slope_scale(&self) -> [f32; 4] {
-        let ([x, y, z], share) =
-            (self.spacing(), if self.reconstruction() == Reconstruction::Half { 0.5 } else { 1.0 });
-        [share * x, share * y, share * z, 0.0]
     }
 
     /// The reconstructions that are not built for speed.

@@ -205,14 +205,15 @@ impl<'a> Shape<'a> for Octree<'a> {
 
     #[inline]
     fn value(&self, point: [f32; 3]) -> f32 {
-        let (leaf, local) = self.locate(point);
-        self.value(&leaf, local)
+        // Not taken apart: a copy would be waited for.
+        let located = self.locate(point);
+        self.value(&located.0, located.1)
     }
 
     #[inline]
     fn evaluate(&self, point: [f32; 3]) -> (f32, [f32; 3]) {
-        let (leaf, local) = self.locate(point);
-        self.evaluate(&leaf, local)
+        let located = self.locate(point);
+        self.evaluate(&located.0, located.1)
     }
 
     fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
