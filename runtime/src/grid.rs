@@ -116,7 +116,8 @@ impl<'a> Grid<'a> {
         } else {
             Words::new(sections::find_bytes(bytes, section::BASES)?)
         };
-        let [x, y, z] = spacing.map(|spacing| if reconstruction == Reconstruction::Half { 0.5 * spacing } else { spacing });
+        let share = if reconstruction == Reconstruction::Half { 0.5 } else { 1.0 };
+        let [x, y, z] = spacing.map(|spacing| share * spacing);
         let steps = |[x, y, _]: [u32; 3]| [x as usize, x as usize * y as usize];
         let grid = Self {
             samples,
@@ -236,8 +237,8 @@ impl<'a> Grid<'a> {
         let [row, layer] = self.brick_steps;
         const EDGE: u32 = at::BRICK_EDGE;
         // All bits of a step or none of them: branches would be hard to predict.
-        let [x, y, z] = vertex.map(|at| usize::from(at % EDGE == EDGE - 1).wrapping_neg());
-        (number(vertex.map(|at| at / EDGE), self.brick_steps), [1 & x, row & y, layer & z])
+        let [x, y, z] = each_axis(|axis| usize::from(vertex[axis] % EDGE == EDGE - 1).wrapping_neg());
+        (number(each_axis(|axis| vertex[axis] / EDGE), self.brick_steps), [1 & x, row & y, layer & z])
     }
 
     /// Number of the sample at a vertex, x fastest, and samples to the next row and layer.

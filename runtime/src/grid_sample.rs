@@ -3,6 +3,7 @@
 use crate::grid::{Grid, GridPrecision};
 use crate::hermite::Corners;
 use crate::layout::packed_sample;
+use crate::math::each_lane;
 use crate::polynomial::{AXES, NO_AXIS, Polynomial, TERMS};
 use crate::sample::{decode_distance, decode_gradient, decode_half, decode_single};
 
@@ -54,7 +55,8 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
-        let codes = self.rows_of(cell).map(|at| self.samples.two_halves(at));
+        let rows = self.rows_of(cell);
+        let codes = each_lane(|row| self.samples.two_halves(rows[row]));
         let (mut bases, mut distances) = ([0; 8], Corners::default());
         self.read_bases(cell, &mut bases);
         for edge in 0..4 {
@@ -107,7 +109,7 @@ impl Grid<'_> {
     }
 
     /// Reads the base distances of the samples at the corners of a cell, in quanta.
-    #[inline]
+    #[inline(always)]
     fn read_bases(&self, cell: [u32; 3], bases: &mut [i32; 8]) {
         let at = |brick: usize| self.bases.word(brick).cast_signed();
         if !self.has_brick_ranges() {
@@ -148,8 +150,8 @@ impl Grid<'_> {
     #[inline]
     fn corner_words(&self, cell: [u32; 3]) -> [u32; 8] {
         let rows = self.rows_of(cell);
-        let [a, b, c, d] = rows.map(|at| self.samples.word(at));
-        let [e, f, g, h] = rows.map(|at| self.samples.word(at + 1));
+        let [a, b, c, d] = each_lane(|row| self.samples.word(rows[row]));
+        let [e, f, g, h] = each_lane(|row| self.samples.word(rows[row] + 1));
         [a, b, c, d, e, f, g, h]
     }
 

@@ -35,7 +35,9 @@ pub(crate) type Weights = [[f32; 4]; 4];
 /// The cubic Hermite basis.
 #[inline(never)]
 pub(crate) fn basis(x: f32, y: f32, z: f32, weights: &mut Weights) {
-    for (axis, t) in [x, y, z, 0.0].into_iter().enumerate() {
+    let local = [x, y, z, 0.0];
+    for axis in 0..4 {
+        let t = local[axis];
         let rest = 1.0 - t;
         let end = t * t * (3.0 - 2.0 * t);
         weights[0][axis] = 1.0 - end;
@@ -48,7 +50,9 @@ pub(crate) fn basis(x: f32, y: f32, z: f32, weights: &mut Weights) {
 /// Its derivative.
 #[inline(never)]
 pub(crate) fn basis_derivative(x: f32, y: f32, z: f32, weights: &mut Weights) {
-    for (axis, t) in [x, y, z, 0.0].into_iter().enumerate() {
+    let local = [x, y, z, 0.0];
+    for axis in 0..4 {
+        let t = local[axis];
         let end = 6.0 * t * (1.0 - t);
         weights[0][axis] = -end;
         weights[1][axis] = end;

@@ -150,7 +150,9 @@ impl Lattice {
     #[inline(never)]
     pub(crate) fn locate(
         &self,
-        x: f32, y: f32, z: f32,
+        x: f32,
+        y: f32,
+        z: f32,
         position: &mut Position,
         cell: &mut [u32; 4],
         outside: &mut [u32; 4],

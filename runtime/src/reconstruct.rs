@@ -3,7 +3,7 @@
 use crate::grid::{Grid, Reconstruction};
 use crate::grid_sample::FirstOrder;
 use crate::hermite::{self, Corners, Weights as Basis, trilinear, trilinear_and_derivatives, trilinear_sum};
-use crate::math::each_axis;
+use crate::math::{each_axis, each_lane};
 use crate::polynomial::triquintic;
 
 /// Every term of a polynomial as it is.
@@ -45,47 +45,37 @@ impl Weights {
 /// A number for each end y and z of a cell, at `2 y + z`.
 type Face = [f32; 4];
 
-/// The weights of the far ends where those of a grid are smooth (SPEC.md §11.4), and their derivatives.
-#[derive(Clone, Copy, Default)]
-struct Smooth {
-    far: [f32; 4],
-    change: [f32; 4],
-}
-
 // As in `hermite`, these functions stay apart, take coordinates in registers and end in memory.
 
+/// The basis of polynomials weighted linearly or smoothly (SPEC.md §11.4), of whose slopes a share counts: that share times
+/// the spacing is `slope`.
 #[inline(never)]
-fn smooth_weights(x: f32, y: f32, z: f32, Smooth { far, change }: &mut Smooth) {
-    for (axis, t) in [x, y, z, 0.0].into_iter().enumerate() {
-        far[axis] = t * t * (3.0 - 2.0 * t);
-        change[axis] = 6.0 * t * (1.0 - t);
-    }
-}
-
-/// The basis of polynomials with these weights, of whose slopes a share counts: that share times the spacing is `slope`.
-#[inline(never)]
-fn weighted_basis(x: f32, y: f32, z: f32, smooth: Option<&Smooth>, slope: &[f32; 4], basis: &mut Basis) {
-    let local = [x, y, z, 0.0];
-    let far = smooth.map_or(local, |smooth| smooth.far);
+fn weighted_basis(x: f32, y: f32, z: f32, is_smooth: bool, slope: &[f32; 4], basis: &mut Basis) {
+    let t = [x, y, z, 0.0];
+    let far = if is_smooth { each_lane(|axis| t[axis] * t[axis] * (3.0 - 2.0 * t[axis])) } else { t };
     for axis in 0..4 {
         let near = 1.0 - far[axis];
         basis[0][axis] = near;
         basis[1][axis] = far[axis];
-        basis[2][axis] = slope[axis] * (local[axis] * near);
-        basis[3][axis] = slope[axis] * ((local[axis] - 1.0) * far[axis]);
+        basis[2][axis] = slope[axis] * (t[axis] * near);
+        basis[3][axis] = slope[axis] * ((t[axis] - 1.0) * far[axis]);
     }
 }
 
 /// Its derivative.
 #[inline(never)]
-fn weighted_basis_derivative(x: f32, y: f32, z: f32, smooth: Option<&Smooth>, slope: &[f32; 4], basis: &mut Basis) {
-    let local = [x, y, z, 0.0];
-    let Smooth { far, change } = smooth.copied().unwrap_or(Smooth { far: local, change: [1.0; 4] });
+fn weighted_basis_derivative(x: f32, y: f32, z: f32, is_smooth: bool, slope: &[f32; 4], basis: &mut Basis) {
+    let t = [x, y, z, 0.0];
+    let (mut far, mut change) = (t, [1.0; 4]);
+    if is_smooth {
+        far = each_lane(|axis| t[axis] * t[axis] * (3.0 - 2.0 * t[axis]));
+        change = each_lane(|axis| 6.0 * t[axis] * (1.0 - t[axis]));
+    }
     for axis in 0..4 {
         basis[0][axis] = -change[axis];
         basis[1][axis] = change[axis];
-        basis[2][axis] = slope[axis] * ((1.0 - far[axis]) - local[axis] * change[axis]);
-        basis[3][axis] = slope[axis] * (far[axis] + (local[axis] - 1.0) * change[axis]);
+        basis[2][axis] = slope[axis] * ((1.0 - far[axis]) - t[axis] * change[axis]);
+        basis[3][axis] = slope[axis] * (far[axis] + (t[axis] - 1.0) * change[axis]);
     }
 }
 
@@ -252,13 +242,10 @@ impl Grid<'_> {
             return;
         }
 
-        let mut smooth = None;
-        if self.smoothness() > 0 {
-            smooth_weights(x, y, z, smooth.insert(Smooth::default()));
-        }
-        weighted_basis(x, y, z, smooth.as_ref(), &self.slope_scale, basis);
+        let is_smooth = self.smoothness() > 0;
+        weighted_basis(x, y, z, is_smooth, &self.slope_scale, basis);
         if let Some(derivative) = derivative {
-            weighted_basis_derivative(x, y, z, smooth.as_ref(), &self.slope_scale, derivative);
+            weighted_basis_derivative(x, y, z, is_smooth, &self.slope_scale, derivative);
         }
     }
 
