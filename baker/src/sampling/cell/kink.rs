@@ -3,7 +3,7 @@
 //! The samples are split in two by their gradients (two-means on the sphere), each side is fitted, and each
 //! sample goes over to the side that the lesser (or greater) of both fits selects there; this is repeated.
 
-use super::basis::{TERMS, TERMS_UP_TO};
+use super::basis::TERMS_UP_TO;
 use super::fit::{Errors, Fit};
 use super::normal_equations::NormalEquations;
 use super::piece::{Kind, Piece};
@@ -51,9 +51,9 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
     }
     let equations = both_sides(stencil, samples, all, 3, &side);
     let coefficients = [1, 2, 3].map(|degree| [&equations[0], &equations[1]].map(|side| side.solve(degree)));
-    let values = [1, 2, 3].map(|degree: usize| {
-        [0, 1].map(|side: usize| stencil.values(&coefficients[degree - 1][side], TERMS_UP_TO[degree]))
-    });
+    let values: Vec<[f64; POINTS]> = (0..6)
+        .map(|i| stencil.values(&coefficients[i / 2][i % 2], TERMS_UP_TO[1 + i / 2]))
+        .collect();
     let first_count = side.iter().filter(|&&first| first).count();
     let counts = [first_count, POINTS - first_count];
     PAIRS
@@ -61,7 +61,7 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
         .filter(|degrees| (0..2).all(|i| counts[i] >= SAMPLES_PER_TERM * TERMS_UP_TO[usize::from(degrees[i])]))
         .map(|degrees| {
             let [first, second] = degrees.map(|degree| usize::from(degree) - 1);
-            let pairs = values[first][0].iter().zip(&values[second][1]);
+            let pairs = values[2 * first].iter().zip(&values[2 * second + 1]);
             let chosen = pairs.map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
             let errors = Errors::of(chosen, samples);
             let coefficients = [coefficients[first][0], coefficients[second][1]];
@@ -114,9 +114,9 @@ fn improve(
         if !is_split(&side) {
             break;
         }
-        let coefficients: [[f64; TERMS]; 2] =
-            both_sides(stencil, samples, all, degree, &side).map(|equations| equations.solve(degree));
-        let [first, second] = coefficients.map(|coefficients| stencil.values(&coefficients, terms));
+        let [first, second] = both_sides(stencil, samples, all, degree, &side);
+        let [first, second] = [&first, &second].map(|equations| equations.solve(degree));
+        let (first, second) = (stencil.values(&first, terms), stencil.values(&second, terms));
         let chosen = first.iter().zip(&second).map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
         let error = Errors::of(chosen, samples).mean_square;
         if best.is_none_or(|(least, _)| error < least) {
