@@ -76,8 +76,10 @@ impl LocalMesh {
         self.walls.get(triangle as usize).copied().unwrap_or(false)
     }
 
+    #[inline(always)]
     pub(super) fn corners(&self, triangle: u32) -> [DVec3; 3] {
-        self.triangles[triangle as usize].map(|vertex| self.positions[vertex as usize])
+        let [a, b, c] = self.triangles[triangle as usize];
+        [self.positions[a as usize], self.positions[b as usize], self.positions[c as usize]]
     }
 
     /// Box around a triangle, rounded outward.

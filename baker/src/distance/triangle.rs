@@ -53,6 +53,7 @@ pub fn closest_point(query: DVec3, corners: [DVec3; 3]) -> Closest {
 }
 
 /// The squared distance that [`closest_point`] reports.
+#[inline(always)]
 pub(super) fn distance_squared(query: DVec3, corners: [DVec3; 3]) -> f64 {
     Places::new(query, corners).distance_squared()
 }
