@@ -72,13 +72,16 @@ fn orientation_changes(mesh: &CheckedMesh) -> Option<String> {
     (!changes.is_empty()).then(|| format!("for the sign, some triangles count otherwise: {}", changes.join(", ")))
 }
 
-/// How many signs are guesses, and where the first of them is.
+/// How many signs are guesses, where the first of them is, and what to try where they are many.
 pub(super) fn doubt(measurement: &Measurement) -> String {
+    /// Percent. Open solids stay below it, loose triangles and sheets do not.
+    const MANY: f64 = 30.0;
     let points = 2 * measurement.samples;
     let place = measurement.doubtful_places.first().map(|[x, y, z]| format!(", first at ({x}, {y}, {z})"));
     let share = 100.0 * measurement.doubtful_signs as f64 / f64::from(points);
+    let advice = if share > MANY { "; if the triangles enclose nothing, use --sign sheet" } else { "" };
     format!(
-        "the sign of {} measured points ({share:.2} %) is a guess{}",
+        "the sign of {} measured points ({share:.2} %) is a guess{}{advice}",
         measurement.doubtful_signs,
         place.unwrap_or_default()
     )

@@ -54,6 +54,10 @@ fn doubt_fails_where_it_should_and_is_painted_red() {
 
     let bake = bench.run(&format!("bake open.obj -o open.nfd {settings} --report report.json"));
     assert!(bake.succeeds().stderr().contains("is a guess, first at"), "{}", bake.stderr());
+    assert!(!bake.stderr().contains("--sign sheet"), "a cube without a side is no sheet: {}", bake.stderr());
+    bench.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n");
+    let sheet = bench.run("bake sheet.obj -o sheet.nfd --max-depth 4 --samples 2000");
+    assert!(sheet.succeeds().stderr().contains("use --sign sheet"), "{}", sheet.stderr());
     let report = json(&bench.path("report.json"));
     assert_eq!(report["sign"]["method"], "winding numbers");
     let places = report["sign"]["doubtful_places"].as_array().expect("a list");

@@ -51,9 +51,8 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
     }
     let equations = both_sides(stencil, samples, all, 3, &side);
     let coefficients = [1, 2, 3].map(|degree| [&equations[0], &equations[1]].map(|side| side.solve(degree)));
-    let values: Vec<[f64; POINTS]> = (0..6)
-        .map(|i| stencil.values(&coefficients[i / 2][i % 2], TERMS_UP_TO[1 + i / 2]))
-        .collect();
+    let values: Vec<[f64; POINTS]> =
+        (0..6).map(|i| stencil.values(&coefficients[i / 2][i % 2], TERMS_UP_TO[1 + i / 2])).collect();
     let first_count = side.iter().filter(|&&first| first).count();
     let counts = [first_count, POINTS - first_count];
     PAIRS
