@@ -77,11 +77,10 @@ impl<'a> Words<'a> {
         self.0.get(at).map_or(0, |&word| u32::from_le_bytes(word))
     }
 
-    /// The 16 bits of half `at`, and above them those of the next; zero unless both lie inside.
+    /// The 16 bits of half `at` of a word.
     #[inline]
-    pub(crate) fn two_halves(self, at: usize) -> u32 {
-        let tail = self.0.as_flattened().get(2 * at..);
-        tail.and_then(<[u8]>::first_chunk).map_or(0, |&halves| u32::from_le_bytes(halves))
+    pub(crate) fn half(self, at: usize) -> u32 {
+        self.0.as_flattened().as_chunks().0.get(at).map_or(0, |&half| u16::from_le_bytes(half).into())
     }
 
     /// The first `N` words, each little-endian, if there are so many.

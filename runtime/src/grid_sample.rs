@@ -55,15 +55,44 @@ impl Grid<'_> {
     /// The same of 16-bit codes.
     #[inline(never)]
     fn packed_distances(&self, cell: [u32; 3]) -> Corners {
-        let rows = self.rows_of(cell);
-        let codes = each_lane(|row| self.samples.two_halves(rows[row]));
-        let (mut bases, mut distances) = ([0; 8], Corners::default());
-        self.read_bases(cell, &mut bases);
-        for edge in 0..4 {
-            distances[edge] = decode_distance(bases[edge], codes[edge] & 0xFFFF, self.quantum);
-            distances[4 + edge] = decode_distance(bases[4 + edge], codes[edge] >> 16, self.quantum);
+        let quanta = self.quanta(cell);
+        let mut distances = Corners::default();
+        for corner in 0..8 {
+            distances[corner] = decode_distance(quanta[corner], 0, self.quantum);
         }
         distances
+    }
+
+    /// The same before they are decoded: numbers of quanta, or floats.
+    #[inline]
+    pub(crate) fn stored_distances(&self, cell: [u32; 3]) -> [u32; 8] {
+        if self.precision == GridPrecision::F32 {
+            self.corner_words(cell)
+        } else {
+            self.quanta(cell).map(i32::cast_unsigned)
+        }
+    }
+
+    /// What [`stored_distances`](Self::stored_distances) of many cells stand for.
+    #[inline(never)]
+    pub(crate) fn decode_each(&self, stored: &[u32], distances: &mut [f32]) {
+        let (is_single, quantum) = (self.precision == GridPrecision::F32, self.quantum);
+        for (distance, &stored) in distances.iter_mut().zip(stored) {
+            *distance = if is_single { decode_single(stored) } else { decode_distance(0, stored, quantum) };
+        }
+    }
+
+    /// Distances in quanta, from 16-bit codes.
+    #[inline(always)]
+    fn quanta(&self, cell: [u32; 3]) -> [i32; 8] {
+        let rows = self.rows_of(cell);
+        let mut quanta = [0; 8];
+        self.read_bases(cell, &mut quanta);
+        for edge in 0..4 {
+            quanta[edge] = quanta[edge].wrapping_add_unsigned(self.samples.half(rows[edge]));
+            quanta[4 + edge] = quanta[4 + edge].wrapping_add_unsigned(self.samples.half(rows[edge] + 1));
+        }
+        quanta
     }
 
     /// The distance of a sample of order 0.
@@ -73,8 +102,7 @@ impl Grid<'_> {
         if self.precision == GridPrecision::F32 {
             return decode_single(self.samples.word(index));
         }
-        let code = self.samples.word(index / 2) >> (16 * (index & 1)) & 0xFFFF;
-        decode_distance(self.base(at), code, self.quantum)
+        decode_distance(self.base(at), self.samples.half(index), self.quantum)
     }
 
     /// Writes the samples at the corners of a cell of a grid of order 1. Returned by value they would lie twice on the
