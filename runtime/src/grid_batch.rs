@@ -85,7 +85,7 @@ impl Lanes {
 impl Grid<'_> {
     /// Value at each of the points of the box.
     pub(crate) fn values(&self, points: &[[f32; 3]], values: &mut [f32]) {
-        if self.order() == 0 && self.reconstruction() == Reconstruction::Linear {
+        if self.is_trilinear() {
             return self.values_between_distances(points, values);
         }
         let (chunks, rest) = self.chunks(points);
@@ -152,7 +152,7 @@ impl Grid<'_> {
 
     /// Value and gradient at each of the points of the box.
     pub(crate) fn evaluate_each(&self, points: &[[f32; 3]], values: &mut [f32], gradients: &mut [[f32; 3]]) {
-        if self.order() == 0 && self.reconstruction() == Reconstruction::Linear {
+        if self.is_trilinear() {
             return self.evaluate_each_between_distances(points, values, gradients);
         }
         let (chunks, rest) = self.chunks(points);

@@ -235,7 +235,7 @@ impl Grid<'_> {
             } else {
                 // Four packed numbers take two halves.
                 let half = if is_packed { place.saturating_sub(2) } else { place };
-                decode_half((data.word(half / 2) >> (16 * (half & 1))) as u16)
+                decode_half(data.half(half) as u16)
             };
         }
         if self.precision != GridPrecision::F32 {

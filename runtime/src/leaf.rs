@@ -266,7 +266,7 @@ impl Block<'_> {
             *number = if self.precision == precision::F32 {
                 decode_single(self.data.word(place + index))
             } else {
-                decode_half((self.data.word(place + index / 2) >> (16 * (index & 1))) as u16)
+                decode_half(self.data.half(2 * place + index) as u16)
             };
             *number *= scale.edge;
         }
@@ -286,8 +286,7 @@ impl Block<'_> {
         if self.precision == precision::F32 {
             return decode_single(self.data.word(rank as usize));
         }
-        let code = self.data.word(rank as usize / 2) >> (16 * (rank & 1)) & 0xFFFF;
-        decode_distance(self.base.wrapping_mul(16), code, quantum * SIXTEENTH)
+        decode_distance(self.base.wrapping_mul(16), self.data.half(rank as usize), quantum * SIXTEENTH)
     }
 }
 

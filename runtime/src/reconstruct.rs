@@ -47,12 +47,18 @@ type Face = [f32; 4];
 
 // As in `hermite`, these functions stay apart, take coordinates in registers and end in memory.
 
-/// The basis of polynomials weighted linearly or smoothly (SPEC.md §11.4), of whose slopes a share counts: that share times
-/// the spacing is `slope`.
+/// The weights of the far ends where those of a grid are smooth (SPEC.md §11.4).
+#[inline(always)]
+fn smooth(t: &[f32; 4]) -> [f32; 4] {
+    each_lane(|axis| t[axis] * t[axis] * (3.0 - 2.0 * t[axis]))
+}
+
+/// The basis of polynomials weighted linearly or smoothly, of whose slopes a share counts: that share times the spacing is
+/// `slope`.
 #[inline(never)]
 fn weighted_basis(x: f32, y: f32, z: f32, is_smooth: bool, slope: &[f32; 4], basis: &mut Basis) {
     let t = [x, y, z, 0.0];
-    let far = if is_smooth { each_lane(|axis| t[axis] * t[axis] * (3.0 - 2.0 * t[axis])) } else { t };
+    let far = if is_smooth { smooth(&t) } else { t };
     for axis in 0..4 {
         let near = 1.0 - far[axis];
         basis[0][axis] = near;
@@ -68,7 +74,7 @@ fn weighted_basis_derivative(x: f32, y: f32, z: f32, is_smooth: bool, slope: &[f
     let t = [x, y, z, 0.0];
     let (mut far, mut change) = (t, [1.0; 4]);
     if is_smooth {
-        far = each_lane(|axis| t[axis] * t[axis] * (3.0 - 2.0 * t[axis]));
+        far = smooth(&t);
         change = each_lane(|axis| 6.0 * t[axis] * (1.0 - t[axis]));
     }
     for axis in 0..4 {
@@ -194,7 +200,7 @@ impl Grid<'_> {
         let last = self.resolution();
         let cell = each_axis(|axis| cell[axis].min(last[axis] - 2));
         // Apart from the others, which leave their answers in memory: read again together, these would be waited for.
-        if let (0, Reconstruction::Linear) = (self.order(), self.reconstruction()) {
+        if self.is_trilinear() {
             let (value, slopes) = trilinear_and_derivatives(&self.distances(cell), local);
             return (value, self.per_unit(slopes));
         }
@@ -293,6 +299,12 @@ impl Grid<'_> {
             answers.slope[2][corner] = by_z;
         }
         answers
+    }
+
+    /// Whether it interpolates distances and nothing else.
+    #[inline]
+    pub(crate) fn is_trilinear(&self) -> bool {
+        self.order() == 0 && self.reconstruction() == Reconstruction::Linear
     }
 
     /// How many derivatives of the weights vanish at the ends.

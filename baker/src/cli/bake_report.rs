@@ -74,7 +74,7 @@ fn orientation_changes(mesh: &CheckedMesh) -> Option<String> {
 
 /// How many signs are guesses, where the first of them is, and what to try where they are many.
 pub(super) fn doubt(measurement: &Measurement) -> String {
-    /// Percent. Open solids stay below it, loose triangles and sheets do not.
+    /// Percent. Loose triangles and sheets are above it, of open solids those with holes as large as themselves.
     const MANY: f64 = 30.0;
     let points = 2 * measurement.samples;
     let place = measurement.doubtful_places.first().map(|[x, y, z]| format!(", first at ({x}, {y}, {z})"));

@@ -51,8 +51,12 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
     }
     let equations = both_sides(stencil, samples, all, 3, &side);
     let coefficients = [1, 2, 3].map(|degree| [&equations[0], &equations[1]].map(|side| side.solve(degree)));
-    let values: Vec<[f64; POINTS]> =
-        (0..6).map(|i| stencil.values(&coefficients[i / 2][i % 2], TERMS_UP_TO[1 + i / 2])).collect();
+    // Not in an array, which would be moved.
+    let values: Vec<[[f64; POINTS]; 2]> = coefficients
+        .iter()
+        .zip(&TERMS_UP_TO[1..])
+        .map(|([first, second], &terms)| [stencil.values(first, terms), stencil.values(second, terms)])
+        .collect();
     let first_count = side.iter().filter(|&&first| first).count();
     let counts = [first_count, POINTS - first_count];
     PAIRS
@@ -60,7 +64,7 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
         .filter(|degrees| (0..2).all(|i| counts[i] >= SAMPLES_PER_TERM * TERMS_UP_TO[usize::from(degrees[i])]))
         .map(|degrees| {
             let [first, second] = degrees.map(|degree| usize::from(degree) - 1);
-            let pairs = values[2 * first].iter().zip(&values[2 * second + 1]);
+            let pairs = values[first][0].iter().zip(&values[second][1]);
             let chosen = pairs.map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
             let errors = Errors::of(chosen, samples);
             let coefficients = [coefficients[first][0], coefficients[second][1]];
