@@ -26,19 +26,12 @@ pub(super) fn continued_triangles(mesh: &LocalMesh, rim: &Rim) -> Vec<bool> {
         area[pieces.root(corners[0]) as usize] += 0.5 * area_vector(mesh.corners(triangle as u32)).length();
     }
 
-    // Area vectors of the lids, by loop, about the loop's root.
-    let mut loops = DisjointSets::new(vertices);
-    rim.edges.iter().for_each(|&[a, b]| loops.join(a, b));
-    let mut lids = vec![DVec3::ZERO; vertices];
-    for &[a, b] in &rim.edges {
-        let root = loops.root(a);
-        let [a, b] = [a, b].map(|vertex| mesh.positions[vertex as usize] - mesh.positions[root as usize]);
-        lids[root as usize] += 0.5 * a.cross(b);
-    }
     let mut is_open = vec![false; vertices];
-    for &[a, _] in &rim.edges {
-        let (lid, piece) = (lids[loops.root(a) as usize].length(), pieces.root(a) as usize);
-        is_open[piece] |= lid > LARGEST_LID * area[piece];
+    for rim in &rim.loops {
+        let position = |vertex: u32| mesh.positions[vertex as usize] - mesh.positions[rim[0] as usize];
+        let lid: DVec3 = Rim::edges_of(rim).map(|[from, to]| 0.5 * position(from).cross(position(to))).sum();
+        let piece = pieces.root(rim[0]) as usize;
+        is_open[piece] |= lid.length() > LARGEST_LID * area[piece];
     }
     mesh.triangles.iter().map(|corners| !is_open[pieces.root(corners[0]) as usize]).collect()
 }

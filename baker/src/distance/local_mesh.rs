@@ -52,6 +52,12 @@ impl LocalMesh {
         Self { frame, positions, triangles, numbers, walls }
     }
 
+    /// Other triangles of the same vertices.
+    pub(super) fn with_triangles(&self, triangles: Vec<[u32; 3]>) -> Self {
+        let numbers = (0..triangles.len() as u32).collect();
+        Self { frame: self.frame, positions: self.positions.clone(), triangles, numbers, walls: Vec::new() }
+    }
+
     /// The same mesh with its triangles in this order and its vertices in the order of their use, so
     /// that what is near in space is near in memory.
     pub(super) fn reordered(&self, order: &[u32]) -> Self {

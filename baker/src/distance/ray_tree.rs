@@ -99,11 +99,6 @@ impl RayTree {
         Self { frame, nodes, packets }
     }
 
-    /// Direction of the ray.
-    pub(super) fn direction(&self) -> DVec3 {
-        self.frame.row(2)
-    }
-
     /// What the ray from a finite local point meets.
     pub(super) fn crossings(&self, Finder { mesh, bvh }: &Finder, point: DVec3) -> Crossings {
         let mut found = Crossings::default();

@@ -1,17 +1,15 @@
 //! Inside or outside.
 
-use super::boundary::Rim;
+use super::boundary::{Lids, Rim};
 use super::bvh::is_within_reach;
 use super::bvh_nearest::{Finder, Nearest, Scratch};
 use super::holes::continued_triangles;
 use super::pseudonormal::Pseudonormals;
 use super::ray_tree::{DIRECTIONS, RayTree};
-use super::winding::WindingTree;
+use super::winding::Winding;
 use super::{BEYOND, SignMethod};
 use glam::DVec3;
 
-/// Rims that are more work are slower to sum up than the tree of dipoles is to walk.
-const MOST_WORK: usize = 256;
 /// Rays that vote: an odd number, so that there is always a majority.
 const VOTERS: usize = DIRECTIONS;
 /// Fewer voices than this against the majority leave no doubt.
@@ -26,78 +24,47 @@ pub(super) enum Signs {
     /// The winding number of a surface without a rim, inside where it is not zero.
     Closed(RayTree),
     /// The winding number of a surface with a rim, inside where it exceeds ½ in size.
-    Open(OpenSurface),
+    Open(Box<OpenSurface>),
     /// The majority of rays that count their crossings.
     Rays(Vec<RayTree>),
     /// Everything is outside.
     Sheet,
 }
 
-/// Winding numbers that decide alike are between two of these where some pieces are continued, and where none is.
-const QUARTERS: [f64; 3] = [DOUBTFUL.start, 0.5, DOUBTFUL.end];
-const HALVES: [f64; 1] = [0.5];
+/// How much a winding number may be off: more than was measured of lids as dipoles, and what is left of single precision.
+pub(super) const NUMBER_ERROR: f64 = 0.01;
 
 /// A surface with a rim.
 pub(super) struct OpenSurface {
-    winding: Winding,
-    rim: Rim,
+    rays: RayTree,
+    pub(super) lids: Lids,
     /// Triangles whose piece goes on smoothly across its holes: pseudonormals decide what the winding
     /// number does not.
     continued: Vec<bool>,
-    /// Numbers that decide alike are between two of these.
-    bounds: &'static [f64],
-}
-
-enum Winding {
-    /// Crossings of a ray, and what the rim adds to them.
-    Exact(RayTree),
-    Dipoles(WindingTree),
 }
 
 impl OpenSurface {
-    /// The size of the winding number.
-    fn number(&self, finder: &Finder, point: DVec3) -> f64 {
+    /// The winding number at a local point that single precision takes: the crossings of a ray with surface and lids count that
+    /// of the closed whole.
+    pub(super) fn number(&self, finder: &Finder, point: DVec3, lids: &Winding) -> f64 {
+        let whole = self.rays.crossings(finder, point).signed + self.lids.crossings(point);
+        f64::from(whole) - lids.number
+    }
+
+    /// The quarter of the winding number at a point, and the radius of a ball in which it changes on the surface alone:
+    /// that of the whole does in a ball without lids, and decides where that of the lids is small.
+    fn judge(&self, finder: &Finder, point: DVec3) -> (Quarter, f64) {
         if !is_within_reach(point) {
-            return 0.0;
+            return (OUTSIDE, 0.0);
         }
-        let number = match &self.winding {
-            Winding::Exact(rays) => {
-                f64::from(rays.crossings(finder, point).signed) + self.rim.turns(&finder.mesh, point, rays.direction())
-            }
-            Winding::Dipoles(tree) => tree.at(finder, point),
-        };
-        number.abs()
-    }
-
-    /// Where a number is among the bounds.
-    fn quarter_of(&self, number: f64) -> Quarter {
-        match (self.bounds.len(), number > 0.5) {
-            (1, false) => OUTSIDE,
-            (1, true) => INSIDE,
-            (_, false) => usize::from(number >= DOUBTFUL.start),
-            (_, true) => 2 + usize::from(number >= DOUBTFUL.end),
-        }
-    }
-
-    /// How much a number may be off: a loop of the rim counts as a dipole from eight radii on (under 0.001), and what
-    /// single precision keeps is right to some 0.002; dipoles of the tree were measured to err by up to 0.026.
-    fn number_error(&self) -> f64 {
-        match self.winding {
-            Winding::Exact(_) => 0.004,
-            Winding::Dipoles(_) => 0.03,
-        }
-    }
-
-    /// A ball around a point with this number in which numbers decide alike, but for those across the
-    /// surface.
-    fn reach(&self, point: DVec3, number: f64) -> f64 {
-        let clearance = self.bounds.iter().map(|bound| (number - bound).abs()).fold(f64::INFINITY, f64::min);
-        let clearance = clearance - 2.0 * self.number_error();
-        if clearance > 0.0 && is_within_reach(point) { self.rim.reach(point, clearance) } else { 0.0 }
+        let lids = self.lids.winding(point);
+        let size = self.number(finder, point, &lids).abs();
+        let quarter = [DOUBTFUL.start, 0.5, DOUBTFUL.end].into_iter().filter(|bound| size > *bound).count();
+        (quarter, lids.radius_within(DOUBTFUL.start - NUMBER_ERROR))
     }
 }
 
-/// Where a winding number is among [`QUARTERS`], by its size: 0 is outside, 3 inside, what is between is doubtful.
+/// Where a winding number is, by its size: below ¼ is outside, above ¾ inside, what is between is doubtful.
 type Quarter = usize;
 const OUTSIDE: Quarter = 0;
 const INSIDE: Quarter = 3;
@@ -127,7 +94,7 @@ impl Judged {
 
 /// The last point that was judged in each quarter. It saves work, and never bears on an answer.
 #[derive(Default)]
-pub(super) struct Memory([Option<Judged>; QUARTERS.len() + 1]);
+pub(super) struct Memory([Option<Judged>; INSIDE + 1]);
 
 impl Memory {
     /// The quarter of a point at this distance; if it does not follow, `judge` finds it and the radius of a ball in
@@ -154,17 +121,12 @@ impl Signs {
             SignMethod::Rays => Self::Rays((0..VOTERS).map(|number| RayTree::new(finder, number)).collect()),
             SignMethod::Winding => {
                 let rim = Rim::of(&finder.mesh);
-                if rim.edges.is_empty() {
-                    return Self::Closed(RayTree::new(finder, 0));
+                let rays = RayTree::new(finder, 0);
+                if rim.loops.is_empty() {
+                    return Self::Closed(rays);
                 }
                 let continued = continued_triangles(&finder.mesh, &rim);
-                let winding = if rim.work() <= MOST_WORK {
-                    Winding::Exact(RayTree::new(finder, 0))
-                } else {
-                    Winding::Dipoles(WindingTree::new(finder))
-                };
-                let bounds = if continued.contains(&true) { &QUARTERS[..] } else { &HALVES[..] };
-                Self::Open(OpenSurface { winding, rim, continued, bounds })
+                Self::Open(Box::new(OpenSurface { rays, lids: Lids::new(&finder.mesh, &rim), continued }))
             }
         }
     }
@@ -190,20 +152,14 @@ impl Signs {
                 };
                 memory.quarter(point, distance, judge) == INSIDE
             }
-            Self::Open(surface) => {
-                let judge = || {
-                    let number = surface.number(finder, point);
-                    (surface.quarter_of(number), surface.reach(point, number))
-                };
-                match memory.quarter(point, distance, judge) {
-                    OUTSIDE => false,
-                    INSIDE => true,
-                    _ if surface.continued[nearest.triangle as usize] => {
-                        behind_pseudonormal(finder, pseudonormals, point, nearest)
-                    }
-                    quarter => quarter > 1,
+            Self::Open(surface) => match memory.quarter(point, distance, || surface.judge(finder, point)) {
+                OUTSIDE => false,
+                INSIDE => true,
+                _ if surface.continued[nearest.triangle as usize] => {
+                    behind_pseudonormal(finder, pseudonormals, point, nearest)
                 }
-            }
+                quarter => quarter > 1,
+            },
         }
     }
 
@@ -211,10 +167,7 @@ impl Signs {
     pub(super) fn is_doubtful(&self, finder: &Finder, local: DVec3) -> bool {
         match self {
             Self::Pseudonormal | Self::Closed(_) | Self::Sheet => false,
-            Self::Open(surface) => {
-                let is_sure = surface.rim.lids_at_most(local) < DOUBTFUL.start - surface.number_error();
-                !is_sure && DOUBTFUL.contains(&surface.number(finder, local))
-            }
+            Self::Open(surface) => !matches!(surface.judge(finder, local).0, OUTSIDE | INSIDE),
             Self::Rays(voters) => {
                 let inside = votes(finder, voters, local);
                 inside.min(VOTERS - inside) >= DISSENT

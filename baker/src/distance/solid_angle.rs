@@ -32,17 +32,6 @@ impl SolidAngles {
         }
     }
 
-    /// Adds a triangle with one corner infinitely far away in a direction of unit length, and the others
-    /// at `a` and `b`.
-    pub(super) fn add_with_corner_at_infinity(&mut self, direction: DVec3, a: DVec3, b: DVec3) {
-        let [la, lb] = [a, b].map(DVec3::length);
-        let imaginary = direction.dot(a.cross(b));
-        let real = la * lb + direction.dot(a) * lb + a.dot(b) + direction.dot(b) * la;
-        if real != 0.0 || imaginary != 0.0 {
-            self.join(Self { real, imaginary, turns: 0.0 });
-        }
-    }
-
     /// Adds another sum.
     pub(super) fn join(&mut self, other: Self) {
         let real = self.real * other.real - self.imaginary * other.imaginary;
@@ -106,23 +95,6 @@ impl CoarseSolidAngles {
         let nearest = la.fast_min(lb).fast_min(lc);
         let unsure = self.join_sure(real, imaginary, product, nearest, is_used.to_bitmask());
         unsure & is_used.to_bitmask()
-    }
-
-    /// Adds triangles with one corner infinitely far away in a direction of unit length and the others at `a`
-    /// and `b`, of the lanes in `used`, except some as in [`add`](Self::add).
-    #[inline(always)]
-    pub(super) fn add_with_corner_at_infinity(
-        &mut self,
-        direction: [f32x8; 3],
-        a: [f32x8; 3],
-        b: [f32x8; 3],
-        used: u32,
-    ) -> u32 {
-        let [la, lb] = [a, b].map(|corner| dot(corner, corner).sqrt());
-        let product = la * lb;
-        let imaginary = dot(direction, cross(a, b));
-        let real = product + dot(direction, a) * lb + dot(a, b) + dot(direction, b) * la;
-        self.join_sure(real, imaginary, product, la.fast_min(lb), used)
     }
 
     /// Joins the lanes in `used` whose angle single precision knows; the others of them are returned.

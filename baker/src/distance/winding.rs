@@ -1,6 +1,5 @@
-//! Signs by generalized winding numbers (Jacobson, Kavan and Sorkine-Hornung 2013), summed over a
-//! tree whose far nodes count as dipoles (Barill et al. 2018, "Fast winding numbers for soups and
-//! clouds", section 3, first order).
+//! Generalized winding numbers (Jacobson, Kavan and Sorkine-Hornung 2013), summed over a tree whose far nodes count as
+//! dipoles (Barill et al. 2018, "Fast winding numbers for soups and clouds", section 3, first order).
 //!
 //! A triangle contributes its solid angle ÷ 4π; all triangles of a closed surface sum to 1 inside
 //! and 0 outside, and a hole blurs the step between them.
@@ -13,12 +12,32 @@ use glam::DVec3;
 use std::f64::consts::PI;
 use wide::f32x8;
 
-/// A node is far when the query is beyond this many radii from its centre.
-/// Measured on a bumpy sphere, closed and open: 2 errs by up to 0.026, 3 by 0.010 at twice the time.
-const FAR: f64 = 2.0;
+/// A node counts as a dipole where that is estimated to be off by less: by the number that its triangles have at most, times
+/// the square of radius over distance. Measured on the lids of six open meshes at 4000 points each, the sum is off
+/// by up to 0.0054; 0.001 errs by up to 0.0017 and takes half as long again.
+const DIPOLE_ERROR: f32 = 0.01;
 
 pub(super) struct WindingTree {
     dipoles: Vec<Dipoles>,
+}
+
+/// A winding number, and what is known of it nearby.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Winding {
+    /// The number.
+    pub(super) number: f64,
+    /// Its size, at most.
+    pub(super) at_most: f64,
+    /// No triangle is nearer.
+    pub(super) gap: f64,
+}
+
+impl Winding {
+    /// A radius around the point within which its size does not exceed a limit: what is D away at least is seen from t D
+    /// nearer by as an angle at most 1 ÷ (1 − t)² times as large.
+    pub(super) fn radius_within(&self, limit: f64) -> f64 {
+        if self.at_most < limit { self.gap * (1.0 - (self.at_most / limit).sqrt()) } else { 0.0 }
+    }
 }
 
 /// The dipoles of the eight children of a node.
@@ -27,8 +46,10 @@ struct Dipoles {
     centre: [f32x8; 3],
     /// Sum of area vectors ÷ 4π.
     moment: [f32x8; 3],
-    /// Square of the distance from which on the dipole stands for the child.
-    far_squared: f32x8,
+    /// Sum of areas ÷ 4π.
+    area: f32x8,
+    /// Distance of the farthest corner from the centre.
+    radius: f32x8,
 }
 
 /// Sums over the triangles of a child.
@@ -42,13 +63,17 @@ struct Cluster {
     radius: f64,
 }
 
+/// Area of a triangle that has none: there is a centre even so.
+const LEAST_AREA: f64 = 1e-100;
+
 impl Cluster {
     fn of_triangles(triangles: impl Iterator<Item = [DVec3; 3]> + Clone) -> Self {
         let mut whole = Self::default();
         for corners in triangles.clone() {
             let moment = 0.5 * area_vector(corners);
-            whole.area += moment.length();
-            whole.area_times_centre += moment.length() * corners.iter().sum::<DVec3>() / 3.0;
+            let area = moment.length().max(LEAST_AREA);
+            whole.area += area;
+            whole.area_times_centre += area * corners.iter().sum::<DVec3>() / 3.0;
             whole.moment += moment;
         }
         for corner in triangles.flatten() {
@@ -100,34 +125,36 @@ impl WindingTree {
         Self { dipoles }
     }
 
-    /// The winding number of the mesh around a local point: off by some 0.03 where the dipoles do
-    /// worst, which moves the surface that closes a hole but no other sign. Zero for points very far
-    /// away.
-    pub(super) fn at(&self, Finder { mesh, bvh }: &Finder, point: DVec3) -> f64 {
+    /// The winding number of the triangles around a local point. Zero for points very far away.
+    pub(super) fn at(&self, Finder { mesh, bvh }: &Finder, point: DVec3) -> Winding {
         if !is_within_reach(point) {
-            return 0.0;
+            return Winding::default();
         }
         let query = splat(point);
-        let mut far_sum = 0.0;
+        let (mut far_sum, mut at_most, mut gap) = (f32x8::ZERO, f32x8::ZERO, f32x8::splat(f32::INFINITY));
         let (mut near_sum, mut near_sums) = (SolidAngles::ZERO, CoarseSolidAngles::ZERO);
+        let mut is_near = false;
         let mut stack = [0u32; STACK];
         let mut height = 1;
         while height > 0 {
             height -= 1;
             let index = stack[height] as usize;
-            let (values, far) = self.dipoles[index].at(query);
-            for (lane, value) in values.into_iter().enumerate() {
-                if far & (1 << lane) != 0 {
-                    far_sum += f64::from(value);
-                    continue;
-                }
-                match bvh.nodes[index].child(lane) {
-                    None => {}
-                    Some(Child::Node(child)) => {
+            let dipoles = &self.dipoles[index];
+            let seen = dipoles.seen(query);
+            far_sum += seen.is_far & seen.value;
+            at_most += seen.is_far & seen.at_most;
+            gap = gap.fast_min(seen.is_far.bitselect(seen.gap, gap));
+            let mut near = !seen.is_far.to_bitmask() & ((1 << LANES) - 1);
+            while near != 0 {
+                let lane = near.trailing_zeros() as usize % LANES;
+                near &= near - 1;
+                match bvh.nodes[index].children[lane].child() {
+                    Child::Node(child) => {
                         stack[height] = child as u32;
                         height += 1;
                     }
-                    Some(Child::Packet(packet)) => {
+                    Child::Packet(packet) => {
+                        is_near = true;
                         let packet = &bvh.packets[packet];
                         let mut unsure = near_sums.add(packet, query);
                         while unsure != 0 {
@@ -140,32 +167,56 @@ impl WindingTree {
                 }
             }
         }
+        let total = |sums: f32x8| sums.to_array().into_iter().map(f64::from).sum::<f64>();
+        if !is_near {
+            let gap = gap.to_array().into_iter().fold(f32::INFINITY, f32::min);
+            return Winding { number: total(far_sum), at_most: total(at_most), gap: gap.into() };
+        }
         near_sum.join(near_sums.sum());
-        far_sum + near_sum.total() / (4.0 * PI)
+        Winding { number: total(far_sum) + near_sum.total() / (4.0 * PI), at_most: f64::INFINITY, gap: 0.0 }
     }
 }
 
 impl Dipoles {
-    /// Never far: an unused lane is left to the node, which has no child there.
+    /// Always far, and nothing.
     const NONE: Self =
-        Self { centre: [f32x8::ZERO; 3], moment: [f32x8::ZERO; 3], far_squared: f32x8::splat(f32::INFINITY) };
+        Self { centre: [f32x8::splat(1e17); 3], moment: [f32x8::ZERO; 3], area: f32x8::ZERO, radius: f32x8::ZERO };
 
     fn set(&mut self, lane: usize, cluster: &Cluster) {
-        let Cluster { radius, .. } = cluster;
         let centre = cluster.centre();
         for axis in 0..3 {
             self.centre[axis].as_mut_array()[lane] = centre[axis] as f32;
             self.moment[axis].as_mut_array()[lane] = (cluster.moment[axis] / (4.0 * PI)) as f32;
         }
-        self.far_squared.as_mut_array()[lane] = (FAR * FAR * radius * radius) as f32;
+        self.area.as_mut_array()[lane] = (cluster.area / (4.0 * PI)) as f32;
+        self.radius.as_mut_array()[lane] = cluster.radius as f32;
     }
 
-    /// What each child contributes, and a bit for each that is far.
     #[inline(always)]
-    fn at(&self, query: Query) -> ([f32; LANES], u32) {
+    fn seen(&self, query: Query) -> Seen {
         let to_centre = minus(self.centre, query);
-        let distance_squared = dot(to_centre, to_centre);
-        let values = dot(self.moment, to_centre) / (distance_squared * distance_squared.sqrt());
-        (values.to_array(), distance_squared.simd_gt(self.far_squared).to_bitmask())
+        let distance = dot(to_centre, to_centre).sqrt();
+        let gap = distance - self.radius;
+        let at_most = self.area / (gap * gap);
+        let nearness = self.radius / distance;
+        let error = at_most * nearness * nearness;
+        Seen {
+            value: dot(self.moment, to_centre) / (distance * distance * distance),
+            at_most,
+            gap,
+            is_far: gap.simd_gt(f32x8::ZERO) & error.simd_lt(f32x8::splat(DIPOLE_ERROR)),
+        }
     }
+}
+
+/// What the children of a node look like from a query.
+struct Seen {
+    /// Winding number of the dipole.
+    value: f32x8,
+    /// Greatest winding number of its triangles, however they lie.
+    at_most: f32x8,
+    /// Distance of the nearest triangle, at least.
+    gap: f32x8,
+    /// Whether the dipole stands for the child.
+    is_far: f32x8,
 }
