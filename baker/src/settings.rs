@@ -32,6 +32,15 @@ impl Target {
         }
     }
 
+    /// Points that a field of this error is measured at unless others are asked for: 100 000, and fewer for relative targets
+    /// above a thousandth, but 20 000. A coarse field has few leaves, and its measurement would be half of its bake.
+    pub fn measured_points(self) -> u32 {
+        match self {
+            Self::Relative(fraction) => (100.0 / fraction).clamp(20_000.0, 100_000.0) as u32,
+            Self::Absolute(_) => 100_000,
+        }
+    }
+
     fn number(self) -> f64 {
         let (Self::Relative(number) | Self::Absolute(number)) = self;
         number
@@ -236,9 +245,10 @@ pub struct Settings {
 impl Default for Settings {
     /// What the command line bakes when it is asked for nothing else.
     fn default() -> Self {
+        let error = Target::Relative(5e-4);
         Self {
             layout: Layout::Polynomial(PolynomialSettings::default()),
-            error: Target::Relative(5e-4),
+            error,
             max_bytes: None,
             interpolant: Interpolant::Tricubic,
             termination: Termination::Trapezoid,
@@ -248,7 +258,7 @@ impl Default for Settings {
             max_depth: 9,
             margin: 0.2,
             sign: SignChoice::Auto,
-            samples: 100_000,
+            samples: error.measured_points(),
         }
     }
 }

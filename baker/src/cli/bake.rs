@@ -118,8 +118,9 @@ pub(super) struct Bake {
     fail_on_doubt: bool,
 
     /// Points at which the finished field is measured, uniform in the mesh's box and as many near the surface
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), default_value_t = Settings::default().samples)]
-    samples: u32,
+    /// [default: 100000, and from there to 20000 for errors of 1e-3 to 5e-3 and above]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    samples: Option<u32>,
 
     #[command(flatten)]
     grid: GridArguments,
@@ -379,9 +380,11 @@ impl Bake {
             (Some(Continuity::C0), _) | (None, settings::Interpolant::Trilinear) => settings::Continuity::C0,
             (Some(Continuity::C1), _) | (None, settings::Interpolant::Tricubic) => settings::Continuity::C1,
         };
+        let error = self.error_abs.map_or(Target::Relative(self.error), Target::Absolute);
+        let measured_points = if self.max_error.is_some() { Settings::default().samples } else { error.measured_points() };
         let settings = Settings {
             layout: self.layout()?,
-            error: self.error_abs.map_or(Target::Relative(self.error), Target::Absolute),
+            error,
             max_bytes: match self.lods {
                 0 => self.max_bytes,
                 _ => self.max_bytes.map(lod::bytes_without_levels),
@@ -403,7 +406,7 @@ impl Bake {
             max_depth: self.max_depth,
             margin: self.margin,
             sign: self.sign.choice()?,
-            samples: self.samples,
+            samples: self.samples.unwrap_or(measured_points),
         };
 
         settings.check().map_err(|error| Failure::Usage(error.to_string()))?;
