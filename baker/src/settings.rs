@@ -401,3 +401,16 @@ impl Settings {
         *head
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coarse_fields_are_measured_at_fewer_points() {
+        let points = [1e-5, 1e-3, 2e-3, 5e-3, 0.1].map(|error| Target::Relative(error).measured_points());
+        assert_eq!(points, [100_000, 100_000, 50_000, 20_000, 20_000]);
+        assert_eq!(Target::Absolute(0.1).measured_points(), 100_000);
+        assert_eq!(Settings::default().samples, 100_000);
+    }
+}

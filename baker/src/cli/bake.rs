@@ -381,7 +381,8 @@ impl Bake {
             (Some(Continuity::C1), _) | (None, settings::Interpolant::Tricubic) => settings::Continuity::C1,
         };
         let error = self.error_abs.map_or(Target::Relative(self.error), Target::Absolute);
-        let measured_points = if self.max_error.is_some() { Settings::default().samples } else { error.measured_points() };
+        let measured_points =
+            if self.max_error.is_some() { Settings::default().samples } else { error.measured_points() };
         let settings = Settings {
             layout: self.layout()?,
             error,

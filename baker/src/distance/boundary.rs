@@ -32,7 +32,7 @@ impl Rim {
         };
         // Appending keeps the order of the vertices, however the work was shared.
         let edges = corners.sum_over_vertices(&mesh.triangles, visit, |a: Vec<[u32; 2]>, b| [a, b].concat());
-        Self { loops: loops_of(edges, mesh.positions.len()) }
+        Self { loops: loops_of(edges) }
     }
 
     /// The edges of a loop.
@@ -42,38 +42,38 @@ impl Rim {
 }
 
 /// Directed edges, of which as many leave each vertex as arrive there, as loops that pass no vertex twice.
-fn loops_of(mut edges: Vec<[u32; 2]>, vertices: usize) -> Vec<Vec<u32>> {
+fn loops_of(mut edges: Vec<[u32; 2]>) -> Vec<Vec<u32>> {
     edges.sort_unstable();
-    // Where the edges of each vertex start, and of each the first that no loop has yet.
-    let starts: Vec<usize> =
-        (0..=vertices as u32).map(|vertex| edges.partition_point(|edge| edge[0] < vertex)).collect();
-    let mut next = starts[..vertices].to_vec();
+    let mut vertices: Vec<u32> = edges.iter().map(|[from, _]| *from).collect();
+    vertices.dedup();
+    let number = |vertex: u32| vertices.binary_search(&vertex).expect("an edge leaves where one arrives");
 
-    let (mut loops, mut path) = (Vec::new(), Vec::new());
-    let mut place_on_path = vec![None; vertices];
-    for [start, _] in edges.iter().copied() {
+    // By number: the first edge of each vertex that no loop has yet, where those of the next vertex start, and where it is on
+    // the path.
+    let mut next: Vec<usize> =
+        vertices.iter().map(|&vertex| edges.partition_point(|[from, _]| *from < vertex)).collect();
+    let ends: Vec<usize> = next.iter().copied().skip(1).chain([edges.len()]).collect();
+    let mut places = vec![None; vertices.len()];
+    let (mut path, mut loops): (Vec<usize>, Vec<Vec<u32>>) = (Vec::new(), Vec::new());
+    for start in 0..vertices.len() {
         path.push(start);
-        place_on_path[start as usize] = Some(0);
-        while let Some(&vertex) = path.last() {
-            let edge = next[vertex as usize];
-            if edge == starts[vertex as usize + 1] {
-                break;
-            }
-            next[vertex as usize] += 1;
-            let [_, to] = edges[edge];
-            match place_on_path[to as usize] {
+        places[start] = Some(0);
+        while let Some(&last) = path.last().filter(|&&last| next[last] < ends[last]) {
+            let to = number(edges[next[last]][1]);
+            next[last] += 1;
+            match places[to] {
                 None => {
-                    place_on_path[to as usize] = Some(path.len());
+                    places[to] = Some(path.len());
                     path.push(to);
                 }
                 Some(place) => {
-                    path[place + 1..].iter().for_each(|&vertex| place_on_path[vertex as usize] = None);
-                    loops.push(path[place..].to_vec());
-                    path.truncate(place + 1);
+                    path[place + 1..].iter().for_each(|&passed| places[passed] = None);
+                    loops.push(path.drain(place..).map(|passed| vertices[passed]).collect());
+                    path.push(to);
                 }
             }
         }
-        path.drain(..).for_each(|vertex| place_on_path[vertex as usize] = None);
+        path.drain(..).for_each(|passed| places[passed] = None);
     }
     loops
 }
@@ -101,8 +101,13 @@ pub(super) struct Lids {
 
 impl Lids {
     pub(super) fn new(mesh: &LocalMesh, rim: &Rim) -> Self {
-        let triangles = rim.loops.iter().flat_map(|rim| lid_of(rim)).collect();
-        let finder = bvh_build::build(&mesh.with_triangles(triangles));
+        let mut vertices = rim.loops.concat();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let number = |vertex: u32| vertices.binary_search(&vertex).expect("a vertex of the rim") as u32;
+        let positions = vertices.iter().map(|&vertex| mesh.positions[vertex as usize]).collect();
+        let triangles = rim.loops.iter().flat_map(|rim| lid_of(rim)).map(|corners| corners.map(number)).collect();
+        let finder = bvh_build::build(&mesh.with_triangles(positions, triangles));
         Self { rays: RayTree::new(&finder, 0), tree: WindingTree::new(&finder), finder }
     }
 
@@ -149,7 +154,7 @@ mod tests {
             [7, 9],
             [9, 6],
         ];
-        let loops = loops_of(edges.clone(), 10);
+        let loops = loops_of(edges.clone());
         for rim in &loops {
             let mut vertices = rim.clone();
             vertices.sort_unstable();

@@ -52,10 +52,10 @@ impl LocalMesh {
         Self { frame, positions, triangles, numbers, walls }
     }
 
-    /// Other triangles of the same vertices.
-    pub(super) fn with_triangles(&self, triangles: Vec<[u32; 3]>) -> Self {
+    /// Other triangles in the same frame.
+    pub(super) fn with_triangles(&self, positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
         let numbers = (0..triangles.len() as u32).collect();
-        Self { frame: self.frame, positions: self.positions.clone(), triangles, numbers, walls: Vec::new() }
+        Self { frame: self.frame, positions, triangles, numbers, walls: Vec::new() }
     }
 
     /// The same mesh with its triangles in this order and its vertices in the order of their use, so
