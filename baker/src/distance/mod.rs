@@ -35,10 +35,12 @@ use pseudonormal::Pseudonormals;
 use ray_tree::RayTree;
 use rayon::prelude::*;
 use sign::{Memory, Signs};
+use std::ops::RangeInclusive;
 
-/// Points that one task samples in turn: rows of a lattice and cells of an octree, enough of them to lie close together.
-/// It bears on speed alone.
-const CHUNK: usize = 4096;
+/// Points that one task samples in turn: the more, the more of them lie close together, as long as each thread has some
+/// tasks. They bear on speed alone.
+const CHUNK: RangeInclusive<usize> = 1 << 12..=1 << 15;
+const TASKS_A_THREAD: usize = 4;
 /// Closer to the surface than this fraction of the mesh's longest side, the gradient is the
 /// pseudonormal: the direction to the closest point drowns in its rounding.
 const ON_SURFACE: f64 = 1e-9;
@@ -196,7 +198,9 @@ impl FieldFunction for SignedDistance {
 
     fn sample_all(&self, points: &[DVec3]) -> Vec<Sample> {
         let mut samples = vec![Sample::default(); points.len()];
-        let chunks = samples.par_chunks_mut(CHUNK).zip(points.par_chunks(CHUNK));
+        let chunk = points.len() / (TASKS_A_THREAD * rayon::current_num_threads());
+        let chunk = chunk.clamp(*CHUNK.start(), *CHUNK.end());
+        let chunks = samples.par_chunks_mut(chunk).zip(points.par_chunks(chunk));
         chunks.for_each(|(samples, points)| self.sample_in_turn(points, samples));
         samples
     }

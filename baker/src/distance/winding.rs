@@ -197,11 +197,13 @@ impl Dipoles {
         let to_centre = minus(self.centre, query);
         let distance = dot(to_centre, to_centre).sqrt();
         let gap = distance - self.radius;
+        let cubed = distance * distance * distance;
         let at_most = self.area / (gap * gap);
         let nearness = self.radius / distance;
         let error = at_most * nearness * nearness;
         Seen {
-            value: dot(self.moment, to_centre) / (distance * distance * distance),
+            // Nothing where the centre is met: what has no area may be no larger than rounding.
+            value: dot(self.moment, to_centre) / cubed.fast_max(f32x8::splat(f32::MIN_POSITIVE)),
             at_most,
             gap,
             is_far: gap.simd_gt(f32x8::ZERO) & error.simd_lt(f32x8::splat(DIPOLE_ERROR)),
