@@ -118,7 +118,7 @@ pub(super) struct Bake {
     fail_on_doubt: bool,
 
     /// Points at which the finished field is measured, uniform in the mesh's box and as many near the surface
-    /// [default: 100000, and from there to 20000 for errors of 1e-3 to 5e-3 and above]
+    /// [default: 100000; for an octree with --error above 1e-3 and without --max-error fewer, 20000 from 5e-3 on]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     samples: Option<u32>,
 
@@ -381,10 +381,13 @@ impl Bake {
             (Some(Continuity::C1), _) | (None, settings::Interpolant::Tricubic) => settings::Continuity::C1,
         };
         let error = self.error_abs.map_or(Target::Relative(self.error), Target::Absolute);
-        let measured_points =
-            if self.max_error.is_some() { Settings::default().samples } else { error.measured_points() };
+        let layout = self.layout()?;
+        let measured_points = match (layout, self.max_error) {
+            (Layout::Octree | Layout::Polynomial(_), None) => error.measured_points(),
+            _ => Settings::default().samples,
+        };
         let settings = Settings {
-            layout: self.layout()?,
+            layout,
             error,
             max_bytes: match self.lods {
                 0 => self.max_bytes,

@@ -36,8 +36,8 @@ impl Rim {
     }
 
     /// The edges of a loop.
-    pub(super) fn edges_of(rim: &[u32]) -> impl Iterator<Item = [u32; 2]> {
-        rim.iter().zip(rim.iter().cycle().skip(1)).map(|(&from, &to)| [from, to])
+    pub(super) fn edges_of(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> {
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&from, &to)| [from, to])
     }
 }
 
@@ -80,13 +80,11 @@ fn loops_of(mut edges: Vec<[u32; 2]>) -> Vec<Vec<u32>> {
 
 /// The triangles of a lid: every second vertex is cut off, again and again, so that triangles are small where they are
 /// near the rim, and nothing where it is a crack.
-fn lid_of(rim: &[u32]) -> Vec<[u32; 3]> {
-    let (mut ring, mut triangles) = (rim.to_vec(), Vec::with_capacity(rim.len()));
+fn lid_of(ring: &[u32]) -> Vec<[u32; 3]> {
+    let (mut ring, mut triangles) = (ring.to_vec(), Vec::with_capacity(ring.len()));
     while ring.len() > 2 {
-        triangles.extend(ring.chunks(2).enumerate().filter(|(_, pair)| pair.len() == 2).map(|(pair, from_and_cut)| {
-            let after = ring.get(2 * pair + 2).copied().unwrap_or(ring[0]);
-            [from_and_cut[0], after, from_and_cut[1]]
-        }));
+        let count = ring.len();
+        triangles.extend((0..count - 1).step_by(2).map(|k| [ring[k], ring[(k + 2) % count], ring[k + 1]]));
         ring = ring.into_iter().step_by(2).collect();
     }
     triangles
@@ -106,7 +104,7 @@ impl Lids {
         vertices.dedup();
         let number = |vertex: u32| vertices.binary_search(&vertex).expect("a vertex of the rim") as u32;
         let positions = vertices.iter().map(|&vertex| mesh.positions[vertex as usize]).collect();
-        let triangles = rim.loops.iter().flat_map(|rim| lid_of(rim)).map(|corners| corners.map(number)).collect();
+        let triangles = rim.loops.iter().flat_map(|ring| lid_of(ring)).map(|corners| corners.map(number)).collect();
         let finder = bvh_build::build(&mesh.with_triangles(positions, triangles));
         Self { rays: RayTree::new(&finder, 0), tree: WindingTree::new(&finder), finder }
     }
@@ -138,30 +136,17 @@ mod tests {
 
     #[test]
     fn loops_pass_each_edge_once_and_no_vertex_twice() {
-        // Two loops that share a vertex, one that shares an edge with its copy, and one alone.
-        let edges = vec![
-            [0, 1],
-            [1, 2],
-            [2, 0],
-            [2, 3],
-            [3, 4],
-            [4, 5],
-            [5, 2],
-            [6, 7],
-            [7, 8],
-            [8, 6],
-            [6, 7],
-            [7, 9],
-            [9, 6],
-        ];
+        // Two that share a vertex, and two that share an edge.
+        let rings: [&[u32]; 4] = [&[0, 1, 2], &[2, 3, 4, 5], &[6, 7, 8], &[6, 7, 9]];
+        let edges: Vec<[u32; 2]> = rings.into_iter().flat_map(Rim::edges_of).collect();
         let loops = loops_of(edges.clone());
-        for rim in &loops {
-            let mut vertices = rim.clone();
+        for ring in &loops {
+            let mut vertices = ring.clone();
             vertices.sort_unstable();
             vertices.dedup();
-            assert_eq!(vertices.len(), rim.len(), "{rim:?} passes a vertex twice");
+            assert_eq!(vertices.len(), ring.len(), "{ring:?} passes a vertex twice");
         }
-        let mut passed: Vec<[u32; 2]> = loops.iter().flat_map(|rim| Rim::edges_of(rim)).collect();
+        let mut passed: Vec<[u32; 2]> = loops.iter().flat_map(|ring| Rim::edges_of(ring)).collect();
         let mut given = edges;
         passed.sort_unstable();
         given.sort_unstable();
@@ -171,11 +156,11 @@ mod tests {
     #[test]
     fn lids_close_loops_of_any_length() {
         for length in 3..40 {
-            let rim: Vec<u32> = (0..length).collect();
-            let lid = lid_of(&rim);
-            assert_eq!(lid.len(), rim.len() - 2, "of {length} edges");
+            let ring: Vec<u32> = (0..length).collect();
+            let lid = lid_of(&ring);
+            assert_eq!(lid.len(), ring.len() - 2, "of {length} edges");
             let sides = lid.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-            assert_eq!(surplus(sides.chain(Rim::edges_of(&rim))), surplus([]), "of {length} edges");
+            assert_eq!(surplus(sides.chain(Rim::edges_of(&ring))), surplus([]), "of {length} edges");
         }
     }
 }

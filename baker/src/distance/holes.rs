@@ -27,10 +27,10 @@ pub(super) fn continued_triangles(mesh: &LocalMesh, rim: &Rim) -> Vec<bool> {
     }
 
     let mut is_open = vec![false; vertices];
-    for rim in &rim.loops {
-        let position = |vertex: u32| mesh.positions[vertex as usize] - mesh.positions[rim[0] as usize];
-        let lid: DVec3 = Rim::edges_of(rim).map(|[from, to]| 0.5 * position(from).cross(position(to))).sum();
-        let piece = pieces.root(rim[0]) as usize;
+    for ring in &rim.loops {
+        let position = |vertex: u32| mesh.positions[vertex as usize] - mesh.positions[ring[0] as usize];
+        let lid: DVec3 = Rim::edges_of(ring).map(|[from, to]| 0.5 * position(from).cross(position(to))).sum();
+        let piece = pieces.root(ring[0]) as usize;
         is_open[piece] |= lid.length() > LARGEST_LID * area[piece];
     }
     mesh.triangles.iter().map(|corners| !is_open[pieces.root(corners[0]) as usize]).collect()

@@ -37,10 +37,11 @@ use rayon::prelude::*;
 use sign::{Memory, Signs};
 use std::ops::RangeInclusive;
 
-/// Points that one task samples in turn: the more, the more of them lie close together, as long as each thread has some
-/// tasks. They bear on speed alone.
+/// Points that one task samples in turn: the more, the more of them lie close together. They bear on speed alone, and even so
+/// do not depend on the number of threads.
 const CHUNK: RangeInclusive<usize> = 1 << 12..=1 << 15;
-const TASKS_A_THREAD: usize = 4;
+/// Tasks that many points are shared among, for as many threads to have some.
+const TASKS: usize = 32;
 /// Closer to the surface than this fraction of the mesh's longest side, the gradient is the
 /// pseudonormal: the direction to the closest point drowns in its rounding.
 const ON_SURFACE: f64 = 1e-9;
@@ -198,8 +199,7 @@ impl FieldFunction for SignedDistance {
 
     fn sample_all(&self, points: &[DVec3]) -> Vec<Sample> {
         let mut samples = vec![Sample::default(); points.len()];
-        let chunk = points.len() / (TASKS_A_THREAD * rayon::current_num_threads());
-        let chunk = chunk.clamp(*CHUNK.start(), *CHUNK.end());
+        let chunk = (points.len() / TASKS).clamp(*CHUNK.start(), *CHUNK.end());
         let chunks = samples.par_chunks_mut(chunk).zip(points.par_chunks(chunk));
         chunks.for_each(|(samples, points)| self.sample_in_turn(points, samples));
         samples

@@ -88,7 +88,7 @@ impl Judged {
         const SURELY: f64 = 0.999_999;
         let apart = self.point.distance_squared(point);
         let reach = SURELY * self.distance.max(distance);
-        apart < reach * reach && self.centre.distance_squared(point) < self.radius * self.radius
+        apart < reach * reach && self.centre.distance(point) < self.radius
     }
 }
 

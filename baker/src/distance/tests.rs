@@ -201,18 +201,24 @@ fn winding_number(mesh: &CheckedMesh, point: DVec3) -> f64 {
     (0..mesh.triangles.len()).map(solid_angle).sum::<f64>() / (4.0 * PI)
 }
 
-#[test]
-fn winding_numbers_match_the_sum_of_solid_angles() {
+/// Parts of a sphere, by name.
+fn open_surfaces() -> [(&'static str, CheckedMesh); 3] {
     let closed = bumpy_sphere(40, 60);
     let part_of = |keep: &dyn Fn(usize) -> bool| {
         let kept = closed.triangles.iter().enumerate().filter(|(number, _)| keep(*number));
         let triangles = kept.map(|(_, triangle)| *triangle).collect();
         CheckedMesh::new(TriangleSoup { positions: closed.positions.clone(), triangles }).unwrap()
     };
-    let quarter_gone = part_of(&|number| 4 * number < 3 * closed.triangles.len());
-    let many_holes = part_of(&|number| number % 7 != 0);
-    let loose = part_of(&|number| number % 40 == 0);
-    for (name, mesh) in [("a quarter gone", quarter_gone), ("many holes", many_holes), ("loose", loose)] {
+    [
+        ("a quarter gone", part_of(&|number| 4 * number < 3 * closed.triangles.len())),
+        ("many holes", part_of(&|number| number % 7 != 0)),
+        ("loose", part_of(&|number| number % 40 == 0)),
+    ]
+}
+
+#[test]
+fn winding_numbers_match_the_sum_of_solid_angles() {
+    for (name, mesh) in open_surfaces() {
         let finder = find_in(&mesh);
         let Signs::Open(surface) = Signs::new(&finder, SignMethod::Winding) else { panic!("the surface has a rim") };
         let (mut numbers, mut worst) = (Numbers(4), 0.0f64);
@@ -225,5 +231,27 @@ fn winding_numbers_match_the_sum_of_solid_angles() {
 
         println!("{name}: off by at most {worst:.1e}");
         assert!(worst < sign::NUMBER_ERROR, "{name}: off by {worst}");
+    }
+}
+
+#[test]
+fn signs_that_are_carried_are_those_of_points_alone() {
+    for (name, mesh) in open_surfaces() {
+        let distance = SignedDistance::new(&mesh, SignMethod::Winding);
+        let mut numbers = Numbers(5);
+        let mut points = Vec::new();
+        for _ in 0..100 {
+            // From far outside into the middle, through the surface or a hole; and all around a point.
+            let (start, end) = (4.0 * numbers.point().normalize(), 0.2 * numbers.point());
+            points.extend((0..100).map(|step| start.lerp(end, f64::from(step) / 100.0)));
+            let (centre, radius) = (1.2 * numbers.point(), 10f64.powf(-3.0 * numbers.next()));
+            points.extend((0..100).map(|_| centre + radius * numbers.point()));
+        }
+        // A few at a time, so that each follows the one before along its line.
+        for points in points.chunks(100) {
+            for (sample, &point) in distance.sample_all(points).iter().zip(points) {
+                assert_eq!(sample.distance, distance.sample(point).distance, "{name}, {point}");
+            }
+        }
     }
 }

@@ -15,6 +15,8 @@ use wide::f32x8;
 /// A node counts as a dipole where that is estimated to be off by less: by the number that its triangles have at most, times
 /// the square of radius over distance. The sum over the lids of the tests' surfaces is then off by up to 0.0061.
 const DIPOLE_ERROR: f32 = 0.01;
+/// More than single precision makes of a distance near the surface.
+const GAP_ERROR: f64 = 1e-5;
 
 pub(super) struct WindingTree {
     dipoles: Vec<Dipoles>,
@@ -33,9 +35,10 @@ pub(super) struct Winding {
 
 impl Winding {
     /// A radius around the point within which its size does not exceed a limit: what is D away at least is seen from t D
-    /// nearer by as an angle at most 1 ÷ (1 − t)² times as large.
+    /// nearer by as an angle at most 1 ÷ (1 − t)² times as large. So is what stands for it, for a dipole is no more than all
+    /// its area at its nearest point.
     pub(super) fn radius_within(&self, limit: f64) -> f64 {
-        if self.at_most < limit { self.gap * (1.0 - (self.at_most / limit).sqrt()) } else { 0.0 }
+        if self.at_most < limit { self.gap * (1.0 - (self.at_most / limit).sqrt()) - GAP_ERROR } else { 0.0 }
     }
 }
 
