@@ -35,13 +35,10 @@ use pseudonormal::Pseudonormals;
 use ray_tree::RayTree;
 use rayon::prelude::*;
 use sign::{Memory, Signs};
-use std::ops::RangeInclusive;
 
-/// Points that one task samples in turn: the more, the more of them lie close together. They bear on speed alone, and even so
-/// do not depend on the number of threads.
-const CHUNK: RangeInclusive<usize> = 1 << 12..=1 << 15;
-/// Tasks that many points are shared among, for as many threads to have some.
-const TASKS: usize = 32;
+/// Points that one task samples in turn: rows of a lattice and cells of an octree, enough of them to lie close together.
+/// It bears on speed alone.
+const CHUNK: usize = 4096;
 /// Closer to the surface than this fraction of the mesh's longest side, the gradient is the
 /// pseudonormal: the direction to the closest point drowns in its rounding.
 const ON_SURFACE: f64 = 1e-9;
@@ -199,8 +196,7 @@ impl FieldFunction for SignedDistance {
 
     fn sample_all(&self, points: &[DVec3]) -> Vec<Sample> {
         let mut samples = vec![Sample::default(); points.len()];
-        let chunk = (points.len() / TASKS).clamp(*CHUNK.start(), *CHUNK.end());
-        let chunks = samples.par_chunks_mut(chunk).zip(points.par_chunks(chunk));
+        let chunks = samples.par_chunks_mut(CHUNK).zip(points.par_chunks(CHUNK));
         chunks.for_each(|(samples, points)| self.sample_in_turn(points, samples));
         samples
     }
