@@ -1,8 +1,7 @@
 //! The cheapest leaf that is good enough.
 
-use crate::field_function::Sample;
 use crate::quantize::piece::{Coded, Steps};
-use crate::sampling::cell::{self, Fit, Piece, Stencil};
+use crate::sampling::cell::{CellSamples, Fit, Piece};
 use glam::DVec3;
 use nearfield::layout::leaf::{REACH_BITS, SUPPORT_BITS};
 use nearfield::layout::polynomial::MAX_SHAPE_BITS;
@@ -52,15 +51,8 @@ const WORTH: f64 = 100.0;
 
 /// The leaf that costs least among those within the tolerance; none if there is none. What is checked is not fitted: it
 /// is no part of the mean.
-pub(super) fn cheapest(
-    stencil: &Stencil,
-    steps: &Steps,
-    samples: &[Sample],
-    checks: &[Check],
-    edge: f64,
-    tolerance: Tolerance,
-) -> Option<Coded> {
-    let fits = cell::fits(stencil, samples);
+pub(super) fn cheapest(steps: &Steps, cell: &CellSamples<'_>, checks: &[Check], tolerance: Tolerance) -> Option<Coded> {
+    let fits = cell.fits();
     let mut candidates: Vec<(f64, usize, u8)> = Vec::new();
     for (index, fit) in fits.iter().enumerate() {
         candidates.extend(exponents(steps, fit, tolerance).map(|(cost, exponent)| (cost, index, exponent)));
@@ -69,16 +61,16 @@ pub(super) fn cheapest(
     candidates.into_iter().find_map(|(_, index, exponent)| {
         let coded = steps.code(&fits[index].piece, exponent)?;
         let piece = steps.decode(&coded);
-        let errors = cell::errors(stencil, &piece, samples);
+        let errors = cell.errors(&piece);
         let is_good = errors.mean_square <= tolerance.rmse * tolerance.rmse && errors.max <= tolerance.max;
-        let is_sure = || cell::doubt(stencil, &fits[index].piece, samples, edge) <= MOST_DOUBT * tolerance.max;
+        let is_sure = || cell.doubt(&fits[index].piece) <= MOST_DOUBT * tolerance.max;
         (is_good && checks.iter().all(|check| check.is_kept(&piece)) && is_sure()).then_some(coded)
     })
 }
 
 /// The leaf whose error is least, for a cell that cannot be split, and its mean square error.
-pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], tolerance: Tolerance) -> (Coded, f64) {
-    let coded = cell::fits(stencil, samples).into_iter().filter_map(|fit| {
+pub(super) fn best(steps: &Steps, cell: &CellSamples<'_>, tolerance: Tolerance) -> (Coded, f64) {
+    let coded = cell.fits().into_iter().filter_map(|fit| {
         // As fine as is worth it, or as it must be to fit.
         let noise = 0.25 * (fit.errors.mean_square + tolerance.rmse * tolerance.rmse);
         let finest = steps.coarsest(&fit.piece, noise).unwrap_or(0);
@@ -86,7 +78,7 @@ pub(super) fn best(stencil: &Stencil, steps: &Steps, samples: &[Sample], toleran
             .find_map(|exponent| steps.code(&fit.piece, exponent).filter(|coded| coded.bits(&coded.widths) <= MAX_BITS))
     });
     let with_error = coded.map(|coded| {
-        let mean_square = cell::errors(stencil, &steps.decode(&coded), samples).mean_square;
+        let mean_square = cell.errors(&steps.decode(&coded)).mean_square;
         (coded, mean_square)
     });
     with_error.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a constant can always be coded")

@@ -6,7 +6,7 @@ use super::overlap::{self, Blend};
 use super::refine::Refinement;
 use crate::field_function::Sample;
 use crate::quantize::piece::Steps;
-use crate::sampling::cell::POINTS;
+use crate::sampling::cell::{CellSamples, POINTS};
 use glam::{DVec3, UVec3};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -164,8 +164,8 @@ impl Refinement<'_> {
             record.attempts += 1;
             let level = cells.all[place].level;
             let (edge, tolerance) = (cells.domain.edge(level), self.demand.of(samples));
-            let (stencil, steps, checks) = (&self.stencil, &self.steps, &record.checks);
-            let again = choose::cheapest(stencil, steps, samples, checks, edge, tolerance);
+            let cell = CellSamples { stencil: &self.stencil, samples, edge };
+            let again = choose::cheapest(&self.steps, &cell, &record.checks, tolerance);
             match again.filter(|_| record.attempts <= ATTEMPTS) {
                 Some(coded) => cells.all[place].content = Content::Leaf(Box::new(coded)),
                 None if level < cells.domain.depth => {

@@ -6,7 +6,7 @@ use crate::field_function::{FieldFunction, Sample};
 use crate::octree::domain::Domain;
 use crate::progress::Progress;
 use crate::quantize::piece::{Coded, Steps};
-use crate::sampling::cell::{self, OUTERMOST, POINTS, Stencil};
+use crate::sampling::cell::{CellSamples, POINTS, Stencil};
 use glam::{DVec3, UVec3};
 use nearfield::layout::leaf::MAX_LEVELS_APART;
 use rayon::prelude::*;
@@ -14,10 +14,16 @@ use rayon::prelude::*;
 /// Cells whose samples are held at once.
 const BATCH: usize = 1 << 11;
 
-/// How far a corner of a cell is from the nearest sample, in edges.
-const FARTHEST_FROM_SAMPLES: f64 = 0.5 * (1.0 - OUTERMOST) * 1.732_050_8;
-/// Greatest error of a leaf at a corner of its cell, in greatest errors at its samples.
-const CORNER_MAX: f64 = 2.0;
+/// Edge of a cell, in greatest errors at its samples, from which its corners are looked at: the larger the cell, the more
+/// may happen beyond its outermost samples.
+const CORNERS_FROM: f64 = 6.0;
+/// Edge of a large cell, in the same.
+const LARGE: f64 = 16.0;
+/// Greatest error of a leaf at a corner of its cell, in greatest errors at its samples. What is more in a small cell hardly
+/// bears on the mean, and is blended with what its neighbours say.
+const CORNER_MAX: f64 = 3.0;
+/// The same for a large cell.
+const LARGE_CORNER_MAX: f64 = 1.5;
 
 /// So many cells are never too many.
 const FEW: usize = 1 << 14;
@@ -176,8 +182,7 @@ impl Refinement<'_> {
     /// The function at the corners of cells whose outermost samples may miss what happens there; nothing of smaller cells.
     fn corners_of(&mut self, domain: &Domain, origins: &[UVec3], level: u8) -> Vec<Sample> {
         let edge = domain.edge(level);
-        // The distance and the polynomial may both change by the way to the corner, each in its own direction.
-        if 2.0 * edge * FARTHEST_FROM_SAMPLES <= CORNER_MAX * self.demand.near.max {
+        if edge < CORNERS_FROM * self.demand.near.max {
             return Vec::new();
         }
         // Most are corners of several cells.
@@ -202,19 +207,21 @@ impl Refinement<'_> {
 
     fn leaf(&self, samples: &[Sample], corners: &[Sample], edge: f64, is_last: bool) -> Found {
         let tolerance = self.demand.of(samples);
-        let within = CORNER_MAX * tolerance.max;
+        let is_large = edge >= LARGE * self.demand.near.max;
+        let within = tolerance.max * if is_large { LARGE_CORNER_MAX } else { CORNER_MAX };
         let check = |(corner, sample): (usize, &Sample)| Check {
             at: 2.0 * octant(corner as u32).as_dvec3() - 1.0,
             distance: sample.distance,
             within,
         };
         let checks: Vec<Check> = corners.iter().enumerate().map(check).collect();
-        let cheapest = choose::cheapest(&self.stencil, &self.steps, samples, &checks, edge, tolerance);
-        let best = || choose::best(&self.stencil, &self.steps, samples, tolerance);
+        let cell = CellSamples { stencil: &self.stencil, samples, edge };
+        let cheapest = choose::cheapest(&self.steps, &cell, &checks, tolerance);
+        let best = || choose::best(&self.steps, &cell, tolerance);
         match cheapest {
             Some(coded) => Found::Leaf(coded),
             None if is_last => Found::Leaf(best().0),
-            None if cell::jumps(samples, edge) => {
+            None if cell.jumps() => {
                 let (coded, mean_square) = best();
                 Found::Jump(coded, mean_square)
             }

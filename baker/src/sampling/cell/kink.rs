@@ -4,10 +4,11 @@
 //! sample goes over to the side that the lesser (or greater) of both fits selects there; this is repeated.
 
 use super::basis::TERMS_UP_TO;
+use super::equations::{Equations, Side};
 use super::fit::{Errors, Fit};
-use super::normal_equations::NormalEquations;
 use super::piece::{Kind, Piece};
-use super::stencil::{POINTS, Stencil};
+use super::samples::CellSamples;
+use super::stencil::POINTS;
 use crate::field_function::Sample;
 use glam::DVec3;
 
@@ -21,20 +22,18 @@ const LEAST_ANGLE: f64 = 0.05;
 const PAIRS: [[u8; 2]; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [1, 3], [3, 1], [2, 3], [3, 2], [3, 3]];
 
 /// Samples that a side has at least for each of its coefficients: with fewer, a side is free to go astray between
-/// its samples and beyond the cell.
-const SAMPLES_PER_TERM: usize = 3;
-
-/// Which samples belong to the first side.
-type Side = [bool; POINTS];
+/// its samples and beyond the cell. One tells four numbers, its value and its gradient.
+const SAMPLES_PER_TERM: usize = 1;
 
 /// The best pair of each combination of degrees; none where the samples have one side only.
-pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations) -> Vec<Fit> {
+pub(super) fn fits(cell: &CellSamples<'_>, equations: &Equations<'_>) -> Vec<Fit> {
+    let (stencil, samples) = (cell.stencil, cell.samples);
     let Some(clustered) = cluster(samples) else {
         return Vec::new();
     };
 
     // The lesser or the greater, from planes.
-    let planes = [Kind::Min, Kind::Max].map(|kind| improve(stencil, samples, all, kind, 1, clustered));
+    let planes = [Kind::Min, Kind::Max].map(|kind| improve(cell, equations, kind, 1, clustered));
     let (kind, side) = match planes {
         [Some((min, side)), Some((max, _))] if min <= max => (Kind::Min, side),
         [Some((_, side)), None] => (Kind::Min, side),
@@ -43,14 +42,14 @@ pub(super) fn fits(stencil: &Stencil, samples: &[Sample], all: &NormalEquations)
     };
 
     // The split, from quadrics.
-    let side = improve(stencil, samples, all, kind, 2, side).map_or(side, |(_, side)| side);
+    let side = improve(cell, equations, kind, 2, side).map_or(side, |(_, side)| side);
 
     // Every combination of degrees on that split.
     if !is_split(&side) {
         return Vec::new();
     }
-    let equations = both_sides(stencil, samples, all, 3, &side);
-    let coefficients = [1, 2, 3].map(|degree| [&equations[0], &equations[1]].map(|side| side.solve(degree)));
+    let sides = equations.both_sides(3, &side);
+    let coefficients = [1, 2, 3].map(|degree| [&sides[0], &sides[1]].map(|side| side.solve(degree)));
     // Not in an array, which would be moved.
     let values: Vec<[[f64; POINTS]; 2]> = coefficients
         .iter()
@@ -104,9 +103,8 @@ fn cluster(samples: &[Sample]) -> Option<Side> {
 
 /// Fits both sides and lets samples go over, a few times; the best split met and its mean square error.
 fn improve(
-    stencil: &Stencil,
-    samples: &[Sample],
-    all: &NormalEquations,
+    cell: &CellSamples<'_>,
+    equations: &Equations<'_>,
     kind: Kind,
     degree: u8,
     mut side: Side,
@@ -117,11 +115,11 @@ fn improve(
         if !is_split(&side) {
             break;
         }
-        let [first, second] = both_sides(stencil, samples, all, degree, &side);
+        let [first, second] = equations.both_sides(degree, &side);
         let [first, second] = [&first, &second].map(|equations| equations.solve(degree));
-        let (first, second) = (stencil.values(&first, terms), stencil.values(&second, terms));
+        let (first, second) = (cell.stencil.values(&first, terms), cell.stencil.values(&second, terms));
         let chosen = first.iter().zip(&second).map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-        let error = Errors::of(chosen, samples).mean_square;
+        let error = Errors::of(chosen, cell.samples).mean_square;
         if best.is_none_or(|(least, _)| error < least) {
             best = Some((error, side));
         }
@@ -136,16 +134,4 @@ fn improve(
 
 fn is_split(side: &Side) -> bool {
     side.contains(&true) && side.contains(&false)
-}
-
-fn both_sides(
-    stencil: &Stencil,
-    samples: &[Sample],
-    all: &NormalEquations,
-    degree: u8,
-    side: &Side,
-) -> [NormalEquations; 2] {
-    let first = stencil.side(samples, degree, side);
-    let second = all.without(&first);
-    [first, second]
 }

@@ -13,9 +13,9 @@ const RIDGE: f64 = 1e-7;
 /// Sums over samples from which fits of any degree follow. Differences of sums are sums of differences.
 #[derive(Clone)]
 pub(super) struct NormalEquations {
-    /// Sum of the products of terms, lower triangle by rows.
+    /// Sum of the products of terms and of their gradients, lower triangle by rows.
     pub(super) products: [f64; PAIRS],
-    /// Sum of each term times the sample.
+    /// Sum of each term times the sample, and of its gradient times the sample's.
     pub(super) right: [f64; TERMS],
 }
 
@@ -23,15 +23,11 @@ impl NormalEquations {
     pub(super) const ZERO: Self = Self { products: [0.0; PAIRS], right: [0.0; TERMS] };
 
     /// Adds a sample.
-    pub(super) fn add(&mut self, degree: u8, products: &[f64; PAIRS], terms: &[f64; TERMS], value: f64) {
-        let terms_used = TERMS_UP_TO[usize::from(degree)];
-        let pairs_used = terms_used * (terms_used + 1) / 2;
-        for (sum, product) in self.products[..pairs_used].iter_mut().zip(products) {
-            *sum += product;
-        }
-        for (sum, term) in self.right[..terms_used].iter_mut().zip(terms) {
-            *sum += term * value;
-        }
+    pub(super) fn add(&mut self, degree: u8, products: &[f64; PAIRS], right: &[f64; TERMS]) {
+        let terms = TERMS_UP_TO[usize::from(degree)];
+        let pairs = terms * (terms + 1) / 2;
+        self.products[..pairs].iter_mut().zip(products).for_each(|(sum, product)| *sum += product);
+        self.right[..terms].iter_mut().zip(right).for_each(|(sum, right)| *sum += right);
     }
 
     /// What is left of a larger set without these samples.
