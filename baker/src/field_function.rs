@@ -8,7 +8,8 @@ use rayon::prelude::*;
 pub struct Sample {
     /// Signed distance, mesh units, negative inside.
     pub distance: f64,
-    /// Gradient of the distance: a unit vector for an exact distance field.
+    /// Gradient of the distance, a unit vector for an exact distance field. Fields are fitted to it, too: it has to be the
+    /// slope of `distance`.
     pub gradient: DVec3,
 }
 

@@ -15,9 +15,8 @@ const MAX_BYTES: u32 = 36;
 pub const MAX_BITS: u32 = 8 * MAX_BYTES - MAX_SHAPE_BITS as u32 - SUPPORT_BITS - REACH_BITS;
 
 /// How far a leaf may be from the function between its samples, by its slopes, in greatest errors allowed at them.
-/// Slopes are pessimists; this much catches polynomials that swing (a fifth of the greatest error over the field, for
-/// 4 % of the bytes) and hardly any other.
-const MOST_DOUBT: f64 = 3.0;
+/// Slopes are pessimists; this much catches polynomials that swing and hardly any other.
+const MOST_DOUBT: f64 = 2.0;
 
 /// What is asked of a leaf, mesh units.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +45,8 @@ impl Check {
 }
 
 /// Bits that a leaf may cost more if that lowers its mean square error by as much as the tolerance allows: spent
-/// where they buy most, they save more leaves than they cost (measured: 10 % of the bytes at equal error).
-const WORTH: f64 = 100.0;
+/// where they buy most, they save more leaves than they cost (measured: 15 % of the bytes at equal error).
+const WORTH: f64 = 200.0;
 
 /// The leaf that costs least among those within the tolerance; none if there is none. What is checked is not fitted: it
 /// is no part of the mean.

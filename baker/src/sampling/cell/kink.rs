@@ -1,7 +1,7 @@
 //! Pairs of polynomials whose lesser or greater is the field: the medial axis and creases in one leaf.
 //!
-//! The samples are split in two by their gradients (two-means on the sphere), each side is fitted, and each
-//! sample goes over to the side that the lesser (or greater) of both fits selects there; this is repeated.
+//! The samples are split in two by their gradients (two-means on the sphere), each side is fitted, and each sample goes over
+//! to the side whose fit is nearer to it, in value and gradient; this is repeated.
 
 use super::basis::TERMS_UP_TO;
 use super::equations::{Equations, Side};
@@ -14,37 +14,26 @@ use glam::DVec3;
 
 /// Rounds of two-means.
 const CLUSTER_ROUNDS: usize = 4;
-/// Rounds of fitting and going over, at degree 1 and again at degree 2.
+/// Rounds of fitting quadrics and going over.
 const SPLIT_ROUNDS: usize = 3;
+/// What the square of a difference of gradients, by the coordinates of the cube, counts beside one of values where samples
+/// choose their side: near a kink both sides have the value, and one the gradient.
+const SLOPE_WEIGHT: f64 = 0.05;
 /// Mean gradients of the two sides closer than this are one side.
 const LEAST_ANGLE: f64 = 0.05;
 /// Degrees of the pairs that are offered, the first side's and the second's.
 const PAIRS: [[u8; 2]; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [1, 3], [3, 1], [2, 3], [3, 2], [3, 3]];
 
-/// Samples that a side has at least for each of its coefficients: with fewer, a side is free to go astray between
-/// its samples and beyond the cell. One tells four numbers, its value and its gradient.
-const SAMPLES_PER_TERM: usize = 1;
+/// Coefficients that a side has at most for each of its samples, of which each tells four numbers: with more, a side is free
+/// to go astray between its samples and beyond the cell.
+const COEFFICIENTS_PER_SAMPLE: usize = 2;
 
 /// The best pair of each combination of degrees; none where the samples have one side only.
 pub(super) fn fits(cell: &CellSamples<'_>, equations: &Equations<'_>) -> Vec<Fit> {
-    let (stencil, samples) = (cell.stencil, cell.samples);
-    let Some(clustered) = cluster(samples) else {
+    let Some(side) = cluster(cell.samples) else {
         return Vec::new();
     };
-
-    // The lesser or the greater, from planes.
-    let planes = [Kind::Min, Kind::Max].map(|kind| improve(cell, equations, kind, 1, clustered));
-    let (kind, side) = match planes {
-        [Some((min, side)), Some((max, _))] if min <= max => (Kind::Min, side),
-        [Some((_, side)), None] => (Kind::Min, side),
-        [_, Some((_, side))] => (Kind::Max, side),
-        [None, None] => return Vec::new(),
-    };
-
-    // The split, from quadrics.
-    let side = improve(cell, equations, kind, 2, side).map_or(side, |(_, side)| side);
-
-    // Every combination of degrees on that split.
+    let side = go_over(cell, equations, side);
     if !is_split(&side) {
         return Vec::new();
     }
@@ -54,20 +43,23 @@ pub(super) fn fits(cell: &CellSamples<'_>, equations: &Equations<'_>) -> Vec<Fit
     let values: Vec<[[f64; POINTS]; 2]> = coefficients
         .iter()
         .zip(&TERMS_UP_TO[1..])
-        .map(|([first, second], &terms)| [stencil.values(first, terms), stencil.values(second, terms)])
+        .map(|([first, second], &terms)| [cell.stencil.values(first, terms), cell.stencil.values(second, terms)])
         .collect();
     let first_count = side.iter().filter(|&&first| first).count();
     let counts = [first_count, POINTS - first_count];
     PAIRS
         .into_iter()
-        .filter(|degrees| (0..2).all(|i| counts[i] >= SAMPLES_PER_TERM * TERMS_UP_TO[usize::from(degrees[i])]))
+        .filter(|degrees| (0..2).all(|i| TERMS_UP_TO[usize::from(degrees[i])] <= COEFFICIENTS_PER_SAMPLE * counts[i]))
         .map(|degrees| {
             let [first, second] = degrees.map(|degree| usize::from(degree) - 1);
-            let pairs = values[first][0].iter().zip(&values[second][1]);
-            let chosen = pairs.map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-            let errors = Errors::of(chosen, samples);
-            let coefficients = [coefficients[first][0], coefficients[second][1]];
-            Fit { piece: Piece { kind, degrees, coefficients }, errors }
+            let fit = |kind: Kind| {
+                let pairs = values[first][0].iter().zip(&values[second][1]);
+                let chosen = pairs.map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
+                let coefficients = [coefficients[first][0], coefficients[second][1]];
+                Fit { piece: Piece { kind, degrees, coefficients }, errors: Errors::of(chosen, cell.samples) }
+            };
+            let [min, max] = [Kind::Min, Kind::Max].map(fit);
+            if min.errors.mean_square <= max.errors.mean_square { min } else { max }
         })
         .collect()
 }
@@ -101,35 +93,33 @@ fn cluster(samples: &[Sample]) -> Option<Side> {
     (first.distance(second) >= LEAST_ANGLE).then_some(side)
 }
 
-/// Fits both sides and lets samples go over, a few times; the best split met and its mean square error.
-fn improve(
-    cell: &CellSamples<'_>,
-    equations: &Equations<'_>,
-    kind: Kind,
-    degree: u8,
-    mut side: Side,
-) -> Option<(f64, Side)> {
-    let terms = TERMS_UP_TO[usize::from(degree)];
-    let mut best: Option<(f64, Side)> = None;
+/// Fits quadrics to both sides and lets samples go over, a few times.
+fn go_over(cell: &CellSamples<'_>, equations: &Equations<'_>, mut side: Side) -> Side {
+    const DEGREE: u8 = 2;
+    const TERMS: usize = TERMS_UP_TO[DEGREE as usize];
     for _ in 0..SPLIT_ROUNDS {
         if !is_split(&side) {
             break;
         }
-        let [first, second] = equations.both_sides(degree, &side);
-        let [first, second] = [&first, &second].map(|equations| equations.solve(degree));
-        let (first, second) = (cell.stencil.values(&first, terms), cell.stencil.values(&second, terms));
-        let chosen = first.iter().zip(&second).map(|(&a, &b)| if kind.takes_first(a, b) { a } else { b });
-        let error = Errors::of(chosen, cell.samples).mean_square;
-        if best.is_none_or(|(least, _)| error < least) {
-            best = Some((error, side));
-        }
-        let crossed: Side = std::array::from_fn(|point| kind.takes_first(first[point], second[point]));
+        let [first, second] = equations.both_sides(DEGREE, &side).map(|side| {
+            let coefficients = side.solve(DEGREE);
+            (coefficients, cell.stencil.values(&coefficients, TERMS))
+        });
+        let crossed: Side = std::array::from_fn(|point| {
+            let Sample { distance, gradient } = cell.samples[point];
+            let wanted = 0.5 * cell.edge * gradient;
+            let [first, second] = [&first, &second].map(|(coefficients, values)| {
+                let slope = cell.stencil.gradient(point, coefficients, TERMS);
+                (values[point] - distance).powi(2) + SLOPE_WEIGHT * slope.distance_squared(wanted)
+            });
+            first <= second
+        });
         if crossed == side {
             break;
         }
         side = crossed;
     }
-    best
+    side
 }
 
 fn is_split(side: &Side) -> bool {
