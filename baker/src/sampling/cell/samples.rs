@@ -50,7 +50,7 @@ impl CellSamples<'_> {
     /// explains.
     pub fn jumps(&self) -> bool {
         /// Slopes between samples may be a little greater than at them.
-        const SLACK: f64 = 1.5;
+        const SLACK: f64 = 1.1;
         let steepest = self.samples.iter().map(|sample| sample.gradient.length()).fold(0.0, f64::max);
         let most = SLACK * steepest * 0.5 * self.edge * SPACING;
         let change = |&[a, b]: &[usize; 2]| (self.samples[a].distance - self.samples[b].distance).abs();
