@@ -30,11 +30,13 @@ pub(crate) fn finest_within<F>(
 ) -> Result<F, TooSmall> {
     let (mut fine, mut coarse) = (FINEST, COARSEST);
     let mut best: Option<F> = None;
+    let mut smallest = usize::MAX;
     let (mut guess, mut power) = (FIRST, POWER);
     let mut last: Option<(f64, usize)> = None;
     for _ in 0..MOST_TRIALS {
         let field = build(guess);
         let bytes = field.as_ref().map_or(usize::MAX, &size);
+        smallest = smallest.min(bytes);
         if bytes <= max_bytes {
             coarse = guess;
             let is_full = bytes as f64 >= FULL * max_bytes as f64;
@@ -64,8 +66,8 @@ pub(crate) fn finest_within<F>(
     }
 
     let field = build(COARSEST);
-    let smallest = field.as_ref().map_or(usize::MAX, &size);
-    field.filter(|_| smallest <= max_bytes).ok_or(TooSmall { smallest })
+    let bytes = field.as_ref().map_or(usize::MAX, &size);
+    field.filter(|_| bytes <= max_bytes).ok_or(TooSmall { smallest: smallest.min(bytes) })
 }
 
 #[cfg(test)]

@@ -98,7 +98,7 @@ fn introduction(has_open_vdb: bool) -> String {
     format!(
         "# Bytes against error\n\n\
          Written by `cargo run --release -p conformance --bin pareto -- [MESHES] docs/measurements/pareto.md` on\n\
-         22 November 2026; two cores of an AMD EPYC, x86-64, shared with other work.\n\n\
+         23 November 2026; two cores of an AMD EPYC, x86-64, shared with other work.\n\n\
          Errors are relative to the diagonal, at {} points uniform in the mesh's box and as many of the band, the same\n\
          points for every field. Times are thread CPU times of one distance, points of the box in random order; the machine\n\
          was busy, and they say little beyond their order of magnitude.\n\n\

@@ -9,7 +9,7 @@ const NODES: usize = 5;
 /// The outermost node of an axis. Nearer to the faces samples see more of the greatest errors, farther from them more of the mean.
 const OUTERMOST: f64 = 0.88;
 /// Points of a cell: every other one of the lattice of nodes, those whose indices add up to an odd number. In such a
-/// face-centred cubic lattice points are farther apart than in a cubic one of as many, and a kink passes fewer rows unseen.
+/// face-centred cubic lattice neighbours are farther apart than in a cubic one of as many points, and each tells more.
 pub const POINTS: usize = NODES * NODES * NODES / 2;
 /// Distance between neighbours.
 pub(super) const SPACING: f64 = 0.5 * OUTERMOST * std::f64::consts::SQRT_2;
