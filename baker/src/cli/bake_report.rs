@@ -47,7 +47,8 @@ pub(super) fn warnings(mesh: &CheckedMesh, settings: &Settings, report: &Report)
         Layout::Polynomial(_) | Layout::Octree => report.measurement.uniform.rmse,
         Layout::Grid(_) => 0.0,
     };
-    if error > target {
+    // Where bytes are asked for, no error is.
+    if settings.max_bytes.is_none() && error > target {
         let times = error / target;
         warnings.push(format!("the error is {times:.2} times the target; raise --max-depth or the target"));
     }

@@ -44,6 +44,15 @@ fn a_mesh_becomes_a_field_that_answers_and_keeps_its_contract() {
 }
 
 #[test]
+fn a_budget_misses_no_target() {
+    let bench = Bench::new();
+    bench.write("cube.obj", CUBE);
+    let bake = bench.run("bake cube.obj -o cube.nfd --max-bytes 3000 --samples 5000");
+    bake.succeeds();
+    assert_eq!(bake.stderr(), "", "no error was asked for");
+}
+
+#[test]
 fn verification_repeats_the_contract_to_the_digit() {
     let bench = Bench::new();
     bench.bake_cube();
