@@ -20,7 +20,8 @@ pub(crate) struct TooSmall {
     pub(crate) smallest: usize,
 }
 
-/// Looks for the finest target, as a share of the diagonal, whose field takes at most `max_bytes`, and gives the field.
+/// Looks for the finest target, as a share of the diagonal, whose field takes at most `max_bytes`, and gives the field, or
+/// the fewest bytes with which the search would find one.
 ///
 /// Sizes are taken to fall as targets grow, which holds but for a few bytes. A build that fails counts as too large.
 pub(crate) fn finest_within<F>(
@@ -28,15 +29,26 @@ pub(crate) fn finest_within<F>(
     mut build: impl FnMut(f64) -> Option<F>,
     size: impl Fn(&F) -> usize,
 ) -> Result<F, TooSmall> {
+    search(max_bytes, &mut build, &size).map_err(|TooSmall { mut smallest }| {
+        while let Ok(field) = search(smallest - 1, &mut build, &size) {
+            smallest = size(&field);
+        }
+        TooSmall { smallest }
+    })
+}
+
+fn search<F>(
+    max_bytes: usize,
+    build: &mut impl FnMut(f64) -> Option<F>,
+    size: &impl Fn(&F) -> usize,
+) -> Result<F, TooSmall> {
     let (mut fine, mut coarse) = (FINEST, COARSEST);
     let mut best: Option<F> = None;
-    let mut smallest = usize::MAX;
     let (mut guess, mut power) = (FIRST, POWER);
     let mut last: Option<(f64, usize)> = None;
     for _ in 0..MOST_TRIALS {
         let field = build(guess);
-        let bytes = field.as_ref().map_or(usize::MAX, &size);
-        smallest = smallest.min(bytes);
+        let bytes = field.as_ref().map_or(usize::MAX, size);
         if bytes <= max_bytes {
             coarse = guess;
             let is_full = bytes as f64 >= FULL * max_bytes as f64;
@@ -66,8 +78,8 @@ pub(crate) fn finest_within<F>(
     }
 
     let field = build(COARSEST);
-    let bytes = field.as_ref().map_or(usize::MAX, &size);
-    field.filter(|_| bytes <= max_bytes).ok_or(TooSmall { smallest: smallest.min(bytes) })
+    let smallest = field.as_ref().map_or(usize::MAX, size);
+    field.filter(|_| smallest <= max_bytes).ok_or(TooSmall { smallest })
 }
 
 #[cfg(test)]

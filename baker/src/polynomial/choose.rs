@@ -49,10 +49,15 @@ impl Check {
 /// much 2 %).
 const WORTH: f64 = 200.0;
 
-/// The leaf that costs least among those within the tolerance; none if there is none. What is checked is not fitted: it
+/// The leaf of all fits that costs least among those within the tolerance; none if there is none. What is checked is not fitted: it
 /// is no part of the mean.
-pub(super) fn cheapest(steps: &Steps, cell: &CellSamples<'_>, checks: &[Check], tolerance: Tolerance) -> Option<Coded> {
-    let fits = cell.fits();
+pub(super) fn cheapest(
+    steps: &Steps,
+    cell: &CellSamples<'_>,
+    fits: &[Fit],
+    checks: &[Check],
+    tolerance: Tolerance,
+) -> Option<Coded> {
     let mut candidates: Vec<(f64, usize, u8)> = Vec::new();
     for (index, fit) in fits.iter().enumerate() {
         candidates.extend(exponents(steps, fit, tolerance).map(|(cost, exponent)| (cost, index, exponent)));
@@ -68,9 +73,9 @@ pub(super) fn cheapest(steps: &Steps, cell: &CellSamples<'_>, checks: &[Check], 
     })
 }
 
-/// The leaf whose error is least, for a cell that cannot be split, and its mean square error.
-pub(super) fn best(steps: &Steps, cell: &CellSamples<'_>, tolerance: Tolerance) -> (Coded, f64) {
-    let coded = cell.fits().into_iter().filter_map(|fit| {
+/// The leaf of all fits whose error is least, for a cell that cannot be split, and its mean square error.
+pub(super) fn best(steps: &Steps, cell: &CellSamples<'_>, fits: &[Fit], tolerance: Tolerance) -> (Coded, f64) {
+    let coded = fits.iter().filter_map(|fit| {
         // As fine as is worth it, or as it must be to fit.
         let noise = 0.25 * (fit.errors.mean_square + tolerance.rmse * tolerance.rmse);
         let finest = steps.coarsest(&fit.piece, noise).unwrap_or(0);

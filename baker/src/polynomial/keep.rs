@@ -165,7 +165,7 @@ impl Refinement<'_> {
             let level = cells.all[place].level;
             let (edge, tolerance) = (cells.domain.edge(level), self.demand.of(samples));
             let cell = CellSamples { stencil: &self.stencil, samples, edge };
-            let again = choose::cheapest(&self.steps, &cell, &record.checks, tolerance);
+            let again = choose::cheapest(&self.steps, &cell, &cell.fits(), &record.checks, tolerance);
             match again.filter(|_| record.attempts <= ATTEMPTS) {
                 Some(coded) => cells.all[place].content = Content::Leaf(Box::new(coded)),
                 None if level < cells.domain.depth => {

@@ -216,8 +216,9 @@ impl Refinement<'_> {
         };
         let checks: Vec<Check> = corners.iter().enumerate().map(check).collect();
         let cell = CellSamples { stencil: &self.stencil, samples, edge };
-        let cheapest = choose::cheapest(&self.steps, &cell, &checks, tolerance);
-        let best = || choose::best(&self.steps, &cell, tolerance);
+        let fits = cell.fits();
+        let cheapest = choose::cheapest(&self.steps, &cell, &fits, &checks, tolerance);
+        let best = || choose::best(&self.steps, &cell, &fits, tolerance);
         match cheapest {
             Some(coded) => Found::Leaf(coded),
             None if is_last => Found::Leaf(best().0),

@@ -5,7 +5,7 @@ const SPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/meshes/spot.pl
 
 /// A field of Spot with two levels of detail, and what the bake reported.
 fn spot_with_levels(bench: &Bench) -> serde_json::Value {
-    let bake = format!("bake {SPOT} -o spot.nfd --error 1e-3 --samples 10000 --lods 2 --report report.json");
+    let bake = format!("bake {SPOT} -o spot.nfd --error 2e-3 --samples 10000 --lods 2 --report report.json");
     let bake = bench.run(&bake);
     bake.succeeds();
     assert_eq!(bake.stderr(), "", "no level is left out");
@@ -48,7 +48,7 @@ fn levels_are_baked_listed_and_cost_a_fifth_at_most() {
 fn without_levels_the_field_is_the_same() {
     let bench = Bench::new();
     spot_with_levels(&bench);
-    bench.run(&format!("bake {SPOT} -o plain.nfd --error 1e-3 --samples 10000")).succeeds();
+    bench.run(&format!("bake {SPOT} -o plain.nfd --error 2e-3 --samples 10000")).succeeds();
     let diff = bench.run("diff plain.nfd spot.nfd --json");
     let diff: serde_json::Value = serde_json::from_slice(&diff.output.stdout).expect("JSON");
     assert_eq!((&diff["shared_box"]["max"], &diff["near_surface"]["max"]), (&0.0.into(), &0.0.into()), "{diff}");

@@ -20,13 +20,11 @@ pub(super) struct Equations<'a> {
 impl<'a> Equations<'a> {
     pub(super) fn new(cell: &CellSamples<'a>) -> Self {
         let stencil = cell.stencil;
-        let right: Vec<[f64; TERMS]> = cell
-            .samples
-            .iter()
-            .zip(stencil.terms.iter().zip(&stencil.gradients))
-            .map(|(sample, (terms, gradients))| {
-                let slope = GRADIENT_WEIGHT * 0.5 * cell.edge * sample.gradient;
-                std::array::from_fn(|term| terms[term] * sample.distance + gradients[term].dot(slope))
+        let right: Vec<[f64; TERMS]> = (0..POINTS)
+            .map(|point| {
+                let (terms, gradients) = (&stencil.terms[point], &stencil.gradients[point]);
+                let (distance, slope) = (cell.samples[point].distance, GRADIENT_WEIGHT * cell.slope(point));
+                std::array::from_fn(|term| terms[term] * distance + gradients[term].dot(slope))
             })
             .collect();
         let mut all = NormalEquations { products: stencil.all_products, right: [0.0; TERMS] };

@@ -106,8 +106,7 @@ fn go_over(cell: &CellSamples<'_>, equations: &Equations<'_>, mut side: Side) ->
             (coefficients, cell.stencil.values(&coefficients, TERMS))
         });
         let crossed: Side = std::array::from_fn(|point| {
-            let Sample { distance, gradient } = cell.samples[point];
-            let wanted = 0.5 * cell.edge * gradient;
+            let (distance, wanted) = (cell.samples[point].distance, cell.slope(point));
             let [first, second] = [&first, &second].map(|(coefficients, values)| {
                 let slope = cell.stencil.gradient(point, coefficients, TERMS);
                 (values[point] - distance).powi(2) + SLOPE_WEIGHT * slope.distance_squared(wanted)

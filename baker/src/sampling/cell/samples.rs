@@ -3,8 +3,9 @@
 use super::basis::TERMS_UP_TO;
 use super::fit::Errors;
 use super::piece::{Kind, Piece};
-use super::stencil::{SPACING, Stencil};
+use super::stencil::{POINTS, SPACING, Stencil};
 use crate::field_function::Sample;
+use glam::DVec3;
 
 /// A function as it is seen in one cell.
 #[derive(Clone, Copy)]
@@ -18,6 +19,11 @@ pub struct CellSamples<'a> {
 }
 
 impl CellSamples<'_> {
+    /// The gradient at a point by the coordinates of the cube.
+    pub(super) fn slope(&self, point: usize) -> DVec3 {
+        0.5 * self.edge * self.samples[point].gradient
+    }
+
     /// The errors of a piece.
     pub fn errors(&self, piece: &Piece) -> Errors {
         let terms = |i: usize| TERMS_UP_TO[usize::from(piece.degrees[i])];
@@ -35,8 +41,8 @@ impl CellSamples<'_> {
     ///
     /// This sees polynomials that swing between samples, and nothing else.
     pub fn doubt(&self, piece: &Piece) -> f64 {
-        let squared = self.samples.iter().enumerate().map(|(point, sample)| {
-            let wanted = 0.5 * self.edge * sample.gradient;
+        let squared = (0..POINTS).map(|point| {
+            let wanted = self.slope(point);
             let of = |i: usize| {
                 let terms = TERMS_UP_TO[usize::from(piece.degrees[i])];
                 self.stencil.gradient(point, &piece.coefficients[i], terms).distance_squared(wanted)
